@@ -1,0 +1,104 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <opencv2/core/mat.hpp>
+#include <vector>
+
+#include "platform/interface/geometry.hpp"
+#include "platform/interface/time.hpp"
+
+/// What perception hands on. Robot frame (x forward, y left, from the wheel axle) at the moment of
+/// the picture; image: u right, v down, pixel centres at integers.
+namespace striate {
+
+inline constexpr float kNoMatch = std::numeric_limits<float>::infinity();
+inline constexpr double kNothing_m = std::numeric_limits<double>::infinity();
+
+/// Dense disparity in the left image's frame, with the camera at this working size.
+struct DisparityMap {
+  cv::Mat1f disparity_px;  ///< >= 0, sub-pixel; kNoMatch where there is no trusted match
+  cv::Mat1f confidence;    ///< 0..1, same size: how likely the disparity is right
+  double focal_px = 0.0;
+  double centre_u_px = 0.0;
+  double centre_v_px = 0.0;
+  double baseline_m = 0.0;
+};
+
+/// What one image column says about the floor plan along its bearing. Between `free_to_m` and
+/// `obstacle_m` nothing is known; behind the obstacle it is hidden. Unknown is never free.
+struct Column {
+  double bearing_rad = 0.0;          ///< in the robot frame: the head's pan is in it
+  double free_from_m = 0.0;          ///< the floor is seen free from here ...
+  double free_to_m = 0.0;            ///< ... to here; empty if not greater than free_from_m
+  double free_confidence = 0.0;      ///< 0..1
+  double obstacle_m = kNothing_m;    ///< nearest trusted thing that stands in the way
+  double obstacle_confidence = 0.0;  ///< 0..1
+};
+
+/// A blob of neighbouring columns at about the same distance.
+struct Obstacle {
+  double bearing_rad = 0.0;  ///< of its middle
+  double distance_m = 0.0;   ///< of its nearest part, from the axle
+  double width_m = 0.0;
+  double height_m = 0.0;  ///< of its highest part seen, above the floor
+  double confidence = 0.0;
+  int from_u_px = 0;  ///< columns of the working image that it spans, both inclusive
+  int to_u_px = 0;
+};
+
+/// The corridor as one picture shows it.
+struct CorridorView {
+  bool valid = false;
+  double heading_rad = 0.0;     ///< of the corridor's axis, in the robot frame
+  double left_m = kNothing_m;   ///< distance of the left wall from the axle; kNothing_m: not seen
+  double right_m = kNothing_m;  ///< of the right wall, positive
+  double confidence = 0.0;      ///< 0..1
+};
+
+/// A salient proto-object.
+struct SalientRegion {
+  double u_px = 0.0;  ///< centre, working size
+  double v_px = 0.0;
+  double width_px = 0.0;
+  double height_px = 0.0;
+  double salience = 0.0;           ///< 0..1, its maximum
+  double bearing_rad = 0.0;        ///< robot frame
+  double distance_m = kNothing_m;  ///< median of trusted disparity inside; kNothing_m: unknown
+};
+
+struct SaliencyMap {
+  cv::Mat1f salience;                  ///< 0..1 at the working size
+  std::vector<SalientRegion> regions;  ///< most salient first
+};
+
+/// 256 bits: bit b is words[b / 64] >> (b % 64) & 1.
+struct Descriptor {
+  std::array<std::uint64_t, 4> words{};
+  friend bool operator==(const Descriptor&, const Descriptor&) = default;
+};
+
+struct Keypoint {
+  double u_px = 0.0;  ///< sub-pixel, in the picture that was handed in
+  double v_px = 0.0;
+  double wavelength_px = 0.0;  ///< in that same picture
+  double response = 0.0;
+  Descriptor descriptor;
+};
+
+/// All that memory wants to know about one picture pair.
+struct Percept {
+  TimePoint stamp;           ///< of the picture
+  bool valid = false;        ///< false: no picture has come yet; everything is empty
+  double light_level = 0.0;  ///< mean grey 0..1 after exposure control
+  double noise_level = 0.0;  ///< estimated noise of a pixel, grey levels of 255
+  DisparityMap disparity;
+  std::vector<Column> columns;      ///< one per column of the working image, left to right
+  std::vector<Obstacle> obstacles;  ///< nearest first
+  CorridorView corridor;
+  SaliencyMap saliency;
+  std::vector<Keypoint> keypoints;
+};
+
+}  // namespace striate

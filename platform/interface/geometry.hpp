@@ -1,0 +1,60 @@
+#pragma once
+
+#include <cmath>
+#include <numbers>
+
+namespace striate {
+
+/// A point on the floor. Robot frame: x forward, y left.
+struct Point2 {
+  double x_m = 0.0;
+  double y_m = 0.0;
+};
+
+/// A place and heading on the floor; angles counter-clockwise.
+struct Pose2 {
+  double x_m = 0.0;
+  double y_m = 0.0;
+  double heading_rad = 0.0;
+};
+
+[[nodiscard]] constexpr double radians(double degrees) {
+  return degrees * std::numbers::pi / 180.0;
+}
+
+[[nodiscard]] constexpr double degrees(double radians) {
+  return radians * 180.0 / std::numbers::pi;
+}
+
+/// The same angle within [-pi, pi].
+[[nodiscard]] inline double wrap_angle(double angle_rad) {
+  return std::remainder(angle_rad, 2.0 * std::numbers::pi);
+}
+
+/// A point given in the frame of `pose`, in the frame that `pose` is given in.
+[[nodiscard]] inline Point2 to_outer(const Pose2& pose, Point2 inner) {
+  const double c = std::cos(pose.heading_rad);
+  const double s = std::sin(pose.heading_rad);
+  return {pose.x_m + c * inner.x_m - s * inner.y_m, pose.y_m + s * inner.x_m + c * inner.y_m};
+}
+
+/// The inverse of `to_outer`.
+[[nodiscard]] inline Point2 to_inner(const Pose2& pose, Point2 outer) {
+  const double c = std::cos(pose.heading_rad);
+  const double s = std::sin(pose.heading_rad);
+  const double dx = outer.x_m - pose.x_m;
+  const double dy = outer.y_m - pose.y_m;
+  return {c * dx + s * dy, -s * dx + c * dy};
+}
+
+[[nodiscard]] inline Pose2 to_outer(const Pose2& pose, const Pose2& inner) {
+  const Point2 p = to_outer(pose, Point2{inner.x_m, inner.y_m});
+  return {p.x_m, p.y_m, wrap_angle(pose.heading_rad + inner.heading_rad)};
+}
+
+[[nodiscard]] inline Pose2 to_inner(const Pose2& pose, const Pose2& outer) {
+  const Point2 p = to_inner(pose, Point2{outer.x_m, outer.y_m});
+  return {p.x_m, p.y_m, wrap_angle(outer.heading_rad - pose.heading_rad)};
+}
+
+}  // namespace striate
