@@ -1,6 +1,5 @@
 # striate_layer(<name> <folder> "<layers it may include>") makes the library striate::<name> of all
 # sources below the folder and notes the rule for the include test.
-set(STRIATE_LAYER_TABLE "" CACHE INTERNAL "")
 
 function(striate_layer name folder allowed)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/${folder}/*.cpp)
@@ -20,7 +19,7 @@ function(striate_layer name folder allowed)
     target_link_libraries(striate_${name} ${scope} striate::${dep})
   endforeach()
   string(REPLACE " " "," allowed_csv "${allowed}")
-  set(STRIATE_LAYER_TABLE "${STRIATE_LAYER_TABLE}${name} ${folder} ${allowed_csv}\n" CACHE INTERNAL "")
+  set_property(GLOBAL APPEND PROPERTY STRIATE_LAYER_TABLE "${name} ${folder} ${allowed_csv}")
 endfunction()
 
 # striate_uses(<layer> [PUBLIC libs...] [PRIVATE libs...]): libraries from Debian.

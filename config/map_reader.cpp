@@ -1,0 +1,124 @@
+#include "config/map_reader.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace striate::config {
+
+MapReader::MapReader(const Node& node, std::string what, Mistakes& mistakes)
+    : node_(node), what_(std::move(what)), mistakes_(mistakes) {
+  if (node_.kind != Node::Kind::map && node_.kind != Node::Kind::nothing) {
+    mistakes_.add(node_.place, fmt::format("{} must be a map of 'key: value', but is {}", what_,
+                                           node_.describe()));
+  }
+}
+
+const Node* MapReader::raw(const std::string& key) {
+  if (std::find(known_.begin(), known_.end(), key) == known_.end()) known_.push_back(key);
+  const Node::Entry* entry = node_.find(key);
+  return entry == nullptr ? nullptr : &entry->value;
+}
+
+bool MapReader::number(const std::string& key, double& target, Unit unit, Range range) {
+  const Node* node = raw(key);
+  if (node == nullptr) return false;
+  const auto value = read_quantity(*node, unit, range, mistakes_);
+  if (value) target = *value;
+  return value.has_value();
+}
+
+bool MapReader::integer(const std::string& key, int& target, Range range) {
+  const Node* node = raw(key);
+  if (node == nullptr) return false;
+  const auto value = read_quantity(*node, Unit::none, range, mistakes_);
+  if (!value) return false;
+  if (*value != std::floor(*value)) {
+    mistakes_.add(node->place, fmt::format("'{}' is not a whole number", node->text));
+    return false;
+  }
+  target = static_cast<int>(*value);
+  return true;
+}
+
+bool MapReader::flag(const std::string& key, bool& target) {
+  const Node* node = raw(key);
+  if (node == nullptr) return false;
+  if (node->kind == Node::Kind::scalar && (node->text == "true" || node->text == "false")) {
+    target = node->text == "true";
+    return true;
+  }
+  mistakes_.add(node->place, fmt::format("{} is neither true nor false", node->describe()),
+                "write true or false");
+  return false;
+}
+
+bool MapReader::text(const std::string& key, std::string& target) {
+  const Node* node = raw(key);
+  if (node == nullptr) return false;
+  if (node->kind != Node::Kind::scalar) {
+    mistakes_.add(node->place,
+                  fmt::format("'{}' must be a word or text, but is {}", key, node->describe()));
+    return false;
+  }
+  target = node->text;
+  return true;
+}
+
+bool MapReader::choice(const std::string& key, int& target, const std::vector<std::string>& names) {
+  const Node* node = raw(key);
+  if (node == nullptr) return false;
+  const auto found = std::find(names.begin(), names.end(), node->text);
+  if (node->kind == Node::Kind::scalar && found != names.end()) {
+    target = static_cast<int>(found - names.begin());
+    return true;
+  }
+  std::string hint = node->kind == Node::Kind::scalar ? suggest(node->text, names) : "";
+  if (hint.empty()) hint = fmt::format("allowed: {}", fmt::join(names, ", "));
+  mistakes_.add(node->place, fmt::format("{} is not known as '{}'", node->describe(), key), hint);
+  return false;
+}
+
+bool MapReader::numbers(const std::string& key, const std::vector<double*>& targets, Unit unit,
+                        Range range) {
+  const Node* node = raw(key);
+  if (node == nullptr) return false;
+  if (node->kind != Node::Kind::list || node->items.size() != targets.size()) {
+    mistakes_.add(
+        node->place,
+        fmt::format("'{}' must be a list of {} values, but is {}", key, targets.size(),
+                    node->kind == Node::Kind::list ? fmt::format("a list of {}", node->items.size())
+                                                   : node->describe()),
+        "write it like [9.0 m, 0.5 m]");
+    return false;
+  }
+  bool good = true;
+  for (std::size_t i = 0; i < targets.size(); ++i) {
+    const auto value = read_quantity(node->items[i], unit, range, mistakes_);
+    if (value) *targets[i] = *value;
+    good = good && value.has_value();
+  }
+  return good;
+}
+
+bool MapReader::require(const std::string& key) {
+  if (raw(key) != nullptr) return true;
+  if (node_.kind == Node::Kind::map || node_.kind == Node::Kind::nothing) {
+    mistakes_.add(node_.place, fmt::format("{} needs '{}'", what_, key));
+  }
+  return false;
+}
+
+void MapReader::finish() {
+  for (const Node::Entry& entry : node_.entries) {
+    if (std::find(known_.begin(), known_.end(), entry.key) != known_.end()) continue;
+    std::string hint = suggest(entry.key, known_);
+    if (hint.empty() && !known_.empty()) {
+      hint = fmt::format("known keys: {}", fmt::join(known_, ", "));
+    }
+    mistakes_.add(entry.key_place, fmt::format("unknown key '{}' in {}", entry.key, what_), hint);
+  }
+}
+
+}  // namespace striate::config
