@@ -1,5 +1,6 @@
 # Reads every #include "..." of the layers and fails where a layer includes one it may not.
-# TABLE: lines "<layer> <folder> <allowed,...>" from the root CMakeLists.txt; ROOT: the source tree.
+# TABLE: rows "<layer> <folder> <allowed,...>", with | between, from the root CMakeLists.txt; ROOT: the source tree.
+string(REPLACE "|" ";" TABLE "${TABLE}")
 set(violations "")
 set(layers "")
 foreach(row IN LISTS TABLE)
