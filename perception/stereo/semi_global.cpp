@@ -11,7 +11,7 @@ void SemiGlobal::sweep(const Volume<std::uint8_t>& costs, int lines, bool three,
     for (auto& volume : side) volume.resize(1, costs.disparities, width);
   }
   for (auto& side : smallest_) {
-    for (auto& plane : side) plane.resize(width, 1, 1, 0);
+    for (auto& plane : side) plane.resize(width, 1, Volume<std::uint8_t>::kMargin, 0);
   }
   auto lines_of = [&](std::size_t side) {
     std::array<stereo_kernels::PathLine, 3> result;

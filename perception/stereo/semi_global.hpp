@@ -4,22 +4,9 @@
 #include <cstdint>
 
 #include "perception/stereo/sweep_kernels.hpp"
-#include "perception/v1/plane.hpp"
+#include "perception/stereo/volume.hpp"
 
 namespace striate {
-
-/// A volume [line][disparity][position]: line y holds rows y * disparities ... of a plane.
-template <class T>
-struct Volume {
-  Plane<T> plane;
-  int disparities = 0;
-  void resize(int lines, int disparity_count, int width) {
-    disparities = disparity_count;
-    plane.resize(width, lines * disparity_count, 1, 0);
-  }
-  [[nodiscard]] T* line(int y) { return plane.row(y * disparities); }
-  [[nodiscard]] const T* line(int y) const { return plane.row(y * disparities); }
-};
 
 /// Semi-global smoothing of matching costs along 8 paths (Hirschmueller 2008). Keeps its buffers.
 class SemiGlobal {
