@@ -68,7 +68,7 @@ void PhaseCosts::compute(const PhaseCodes& left, const PhaseCodes& right,
   constexpr int kLines = 2 * kPhaseReach + 1;
   costs.resize(left.height, disparities, left.width);
   code_distances_.resize(kLines, disparities, left.width);
-  const int stride = costs.plane.stride();
+  const int stride = costs.stride();
   auto line = [&](int y) { return code_distances_.line((y + kLines) % kLines); };
   for (int y = -kPhaseReach; y < left.height + kPhaseReach; ++y) {
     std::array<const std::uint8_t*, kPhaseBytes> from_left{}, from_right{};

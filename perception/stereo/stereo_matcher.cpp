@@ -81,8 +81,8 @@ class StereoMatcher::Work {
       describe_row(left_, points_, y, left);
       describe_row(right_, points_, y, right);
       stereo_kernels::hamming_costs(left, right, outside_.row(0), size.width, rounded_,
-                                    costs_.line(0), costs_.plane.stride());
-      stereo_kernels::smallest_cost(costs_.line(0), costs_.plane.stride(), size.width, candidates_,
+                                    costs_.line(0), costs_.stride());
+      stereo_kernels::smallest_cost(costs_.line(0), costs_.stride(), size.width, candidates_,
                                     winners_.row(0));
       std::copy(winners_.row(0), winners_.row(0) + size.width, raw_.ptr(y));
     }
@@ -95,8 +95,8 @@ class StereoMatcher::Work {
     phase_codes(left_, 0, left_phase_);
     phase_codes(right_, rounded_, right_phase_);
     phase_costs_.compute(left_phase_, right_phase_, outside_, rounded_, costs_);
-    semi_global_.smooth(costs_, size.height, sums_);
-    decision_.decide({costs_, sums_, left_, candidates_}, out);
+    semi_global_.smooth(costs_, size.height);
+    decision_.decide({costs_, semi_global_, outside_, left_, candidates_}, out);
   }
 
   StereoSettings settings_;
@@ -112,7 +112,6 @@ class StereoMatcher::Work {
   int rounded_ = 0;
   Plane<std::uint8_t> left_row_, right_row_, outside_, winners_;
   Volume<std::uint8_t> costs_;
-  Volume<std::uint16_t> sums_;
   cv::Mat1b raw_, median_;
 };
 
