@@ -12,7 +12,7 @@ Executive::Executive(Task task)
     : task_(std::move(task)), steps_(task_.steps), finally_(task_.finally, true) {}
 
 Wish Executive::tick(const ShortTermMemory& memory, TimePoint now) {
-  Wish wish;
+  Wish wish = standing_wish(memory, "");
   if (phase_ == Phase::doing) {
     const Outcome outcome = steps_.tick(memory, now, wish);
     if (outcome != Outcome::running) {

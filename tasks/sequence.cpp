@@ -5,7 +5,7 @@
 namespace striate {
 
 Outcome Sequence::tick(const ShortTermMemory& memory, TimePoint now, Wish& wish) {
-  wish = Wish{};
+  wish = standing_wish(memory, "");
   if (outcome_ != Outcome::running) return outcome_;
   if (index_ >= steps_.size()) return outcome_ = Outcome::succeeded;
   switch (phase_) {
@@ -78,7 +78,7 @@ void Sequence::end_step(Outcome outcome) {
 }
 
 bool Sequence::halt(const ShortTermMemory& memory, Wish& wish) {
-  wish = Wish{};
+  wish = standing_wish(memory, "");
   if (outcome_ != Outcome::running) return true;
   if (phase_ == Phase::recovering && !recovery_->halt(memory, wish)) return false;
   if (phase_ == Phase::acting || phase_ == Phase::halting) {
