@@ -14,9 +14,9 @@ namespace striate {
 struct CycleTrace {
   Senses senses;
   Percept percept;
-  Wish wish;               ///< what the behaviour wanted
-  MotorCommand sent;       ///< what the limiter let through
-  std::string limited_by;  ///< why the limiter slowed it; empty: it did not
+  Wish wish;          ///< what the behaviour wanted
+  MotorCommand sent;  ///< what the limiter let through
+  LimitReason limited_by = LimitReason::none;
 };
 
 /// The whole robot: sees, remembers, wants, moves. `cognitive_cycle.cpp` is the place to start.
