@@ -74,7 +74,7 @@ void Mission::one_cycle_on() {
 }
 
 void Mission::watch_the_judge() {
-  if (body_->judge().passed_goal()) {
+  if (body_->judge().reached_goal()) {
     executive_.interrupt(MissionState::succeeded, "beyond the goal line");
   }
 }
@@ -86,6 +86,50 @@ double Mission::mean_cycle_ms() const {
 
 double Mission::realtime_factor() const {
   return wall_s_ > 0.0 ? to_seconds(body_->clock().now()) / wall_s_ : 0.0;
+}
+
+RunResult Mission::result() const {
+  const simulator::Judge& judge = body_->judge();
+  RunResult result;
+  for (const simulator::Collision& hit : judge.collisions()) {
+    result.collisions.push_back(
+        {hit.time_s, hit.along_m, hit.left_m, hit.hit, hit.light_level, hit.moving});
+  }
+  result.reached_goal = judge.reached_goal();
+  result.reason = executive_.reason();
+  if (!lost_.empty()) {
+    result.outcome = "lost";
+    result.reason = lost_;
+  } else if (executive_.state() == MissionState::interrupted) {
+    result.outcome = "interrupted";
+  } else if (!result.collisions.empty()) {
+    result.outcome = "collision";
+    result.reason = "touched " + result.collisions.front().hit;
+  } else if (result.reached_goal) {
+    result.outcome = "success";
+    result.reason.clear();
+  } else if (judge.outcome() == simulator::Outcome::time_up) {
+    result.outcome = "time_over";
+    result.reason = "the judge's time limit has passed";
+  } else if (executive_.state() == MissionState::failed) {
+    result.outcome = "task_failed";
+  } else {
+    result.outcome = "task_ended";
+    result.reason = "the task ended before the goal line";
+  }
+  result.distance_m = judge.distance_driven_m();
+  result.duration_s = to_seconds(body_->clock().now());
+  result.nearest_pass_m = std::min(judge.nearest_pass_m(), 100.0);
+  result.emergency_stops = cycle_->limiter().emergency_stops();
+  result.longest_stand_s = longest_stand_s_;
+  result.cycles = cycles_;
+  result.mean_cycle_ms = mean_cycle_ms();
+  result.realtime_factor = realtime_factor();
+  result.seed = options_.seed;
+  result.world = options_.world;
+  result.task = options_.task;
+  result.emergency_layer = settings_.safety.emergency_layer;
+  return result;
 }
 
 }  // namespace striate
