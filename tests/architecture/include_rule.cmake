@@ -1,3 +1,5 @@
+cmake_minimum_required(VERSION 3.25)
+
 # Reads every #include "..." of the layers and fails where a layer includes one it may not.
 # TABLE: rows "<layer> <folder> <allowed,...>", with | between, from the root CMakeLists.txt; ROOT: the source tree.
 string(REPLACE "|" ";" TABLE "${TABLE}")

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+/// The names that a world file may use for what ships with the program.
+namespace striate::simulator {
+
+[[nodiscard]] const std::vector<std::string>& wall_materials();
+[[nodiscard]] const std::vector<std::string>& floor_materials();
+[[nodiscard]] const std::vector<std::string>& shipped_pictures();
+/// In the order of ObstacleKind.
+[[nodiscard]] const std::vector<std::string>& obstacle_kinds();
+[[nodiscard]] const std::vector<std::string>& object_kinds();
+
+/// "did you mean 'brick'?", or all names where none is near.
+[[nodiscard]] std::string suggestion(const std::string& wrong,
+                                     const std::vector<std::string>& names);
+
+}  // namespace striate::simulator
