@@ -39,9 +39,9 @@ cv::Vec3b hatch(int v, int u) {
 
 }  // namespace
 
-DisparityScale scale_for(const DisparityMap& map) {
+DisparityScale scale_for(const DisparityMap& map, bool metric) {
   DisparityScale scale;
-  scale.focal_baseline = map.focal_px * map.baseline_m;
+  scale.focal_baseline = metric ? map.focal_px * map.baseline_m : 0.0;
   if (scale.focal_baseline > 0.0) {
     scale.most_px = scale.focal_baseline / kReddest_m;
     return scale;
@@ -54,7 +54,7 @@ DisparityScale scale_for(const DisparityMap& map) {
   if (known.empty()) return scale;
   const auto high = known.begin() + static_cast<std::ptrdiff_t>(known.size() * 98 / 100);
   std::nth_element(known.begin(), high, known.end());
-  scale.most_px = std::max(8.0, std::ceil(*high));
+  scale.most_px = std::max(8.0, std::ceil(static_cast<double>(*high)));
   return scale;
 }
 

@@ -13,8 +13,8 @@ struct DisparityScale {
 };
 
 /// Fixed for a known camera (red at 0.7 m), so that colours mean the same in every picture;
-/// else fitted to the map.
-[[nodiscard]] DisparityScale scale_for(const DisparityMap& map);
+/// else, and where `metric` is not wanted, fitted to the map.
+[[nodiscard]] DisparityScale scale_for(const DisparityMap& map, bool metric = true);
 
 /// Disparity in colour at `size`, pixels kept crisp; unknown is a dark hatch.
 [[nodiscard]] cv::Mat3b colour_disparity(const DisparityMap& map, const DisparityScale& scale,
