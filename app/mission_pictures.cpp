@@ -9,9 +9,9 @@
 
 #include "app/pictures/canvas.hpp"
 #include "app/pictures/disparity_colours.hpp"
-#include "app/pictures/draw_percept.hpp"
 #include "app/pictures/map_picture.hpp"
 #include "app/pictures/plan_picture.hpp"
+#include "app/pictures/scene_pictures.hpp"
 
 namespace striate {
 namespace {
@@ -51,14 +51,12 @@ cv::Mat3b overview_of(const Mission& mission) {
   const int map_left = kLarge.width + kSmall.width + 2 * kGap;
   cv::Mat3b page(kLarge.height + kCaption, map_left + kMapSide);
   page.setTo(pictures::kBackground);
-  place(page,
-        pictures::draw_obstacles(trace.senses.stereo, trace.percept, mission.body().description(),
-                                 kLarge),
-        {0, 0}, "left eye: free floor, obstacles");
+  place(page, pictures::draw_obstacles(trace.senses.stereo, trace.percept, kLarge), {0, 0},
+        "left eye: free floor, obstacles");
   const DisparityMap& disparity = trace.percept.disparity;
   place(page, pictures::colour_disparity(disparity, pictures::scale_for(disparity), kSmall),
         {kLarge.width + kGap, 0}, "disparity");
-  place(page, pictures::draw_saliency(trace.senses.stereo.left, trace.percept.saliency, kSmall),
+  place(page, pictures::draw_saliency(trace.senses.stereo, trace.percept, kSmall),
         {kLarge.width + kGap, kSmall.height + 6}, "saliency");
   place(page,
         draw_map(mission.cycle().memory(), mission.body().description(), mission.trail(), kMapSide),
