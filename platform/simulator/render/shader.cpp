@@ -53,13 +53,19 @@ Shader::Surface Shader::look_up(const Packet& packet, unsigned lane, float sprea
 
 float Shader::hidden_by_people(Vec3 place, Vec3 normal) const {
   float open = 1.0F;
-  for (const Occluder& ball : people_.occluders()) {
-    const Vec3 way = ball.centre - place;
-    const float d2 = dot(way, way);
-    if (d2 > 2.25F) continue;
-    const float r2 = ball.radius_m * ball.radius_m;
-    const float d = std::sqrt(std::max(d2, r2));
-    open *= 1.0F - std::min(0.85F, std::max(0.0F, dot(way, normal) / d) * r2 / (d * d));
+  for (const Occluder& person : people_.occluders()) {
+    const float dx = person.foot.x - place.x;
+    const float dy = person.foot.y - place.y;
+    if (dx * dx + dy * dy > Occluder::kReach_m * Occluder::kReach_m) continue;
+    for (const Occluder::Ball& ball : person.balls) {
+      const Vec3 way = ball.centre - place;
+      const float r2 = ball.radius_m * ball.radius_m;
+      const float d2 = std::max(dot(way, way), r2);
+      const float d = std::sqrt(d2);
+      // Fades out towards the reach, so that its border is not seen.
+      const float near = std::max(0.0F, 1.0F - d2 / (Occluder::kReach_m * Occluder::kReach_m));
+      open *= 1.0F - near * std::min(0.85F, std::max(0.0F, dot(way, normal) / d) * r2 / d2);
+    }
   }
   return open;
 }
@@ -105,7 +111,7 @@ void Shader::shade(const Packet& packet, float spread, const float* before_m, Sh
   for (unsigned i = 0; i < Packet::kSize; ++i) {
     if (packet.valid[i] == 0) continue;
     if (!packet.hit(i)) {
-      out[i].colour = outdoors(packet.direction(i)) * splat(stage_.sky);
+      out[i].colour = stage_.outdoors(packet.direction(i)) * splat(stage_.sky);
       out[i].colour[3] = 0.0F;
       out[i].group = kNothing;
       continue;

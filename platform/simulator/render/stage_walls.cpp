@@ -132,6 +132,10 @@ void add_face(PatchList& patches, const Wall& wall, const std::vector<Span>& win
     done = window.to;
   }
   wall.face(patches, {done, wall.length_m()}, {low, top}, material);
+  // Behind the skirting a piece of its own: the dark there must not reach up the wall.
+  patches.set_spacing(0.5F);
+  wall.face(patches, {0.0F, wall.length_m()}, {static_cast<float>(segment.bottom_m), low},
+            material);
 }
 
 void add_skirting(PatchList& patches, const Wall& wall, const std::vector<Span>& doors) {
