@@ -228,7 +228,12 @@ class Baker {
       V4* first = &indirect_[at(patch.light_at + line * line_step)];
       for (int i = 0; i < count; ++i) copy[at(i)] = first[static_cast<std::ptrdiff_t>(i) * step];
       for (int i = 0; i < count; ++i) {
-        const auto c = [&](int k) { return copy[at(std::clamp(k, 0, count - 1))]; };
+        // Beyond the border the light goes on as it comes in, so that pieces of one wall meet.
+        const auto c = [&](int k) {
+          if (k < 0) return splat(2.0F) * copy[0] - copy[at(-k)];
+          if (k >= count) return splat(2.0F) * copy[at(count - 1)] - copy[at(2 * count - 2 - k)];
+          return copy[at(k)];
+        };
         first[static_cast<std::ptrdiff_t>(i) * step] =
             (c(i - 2) + c(i + 2) + splat(4.0F) * (c(i - 1) + c(i + 1)) + splat(6.0F) * c(i)) *
             splat(1.0F / 16.0F);
