@@ -14,6 +14,7 @@ constexpr double kGlanceDown_rad = -0.42;
 constexpr double kLookSweep_s = 4.0;
 constexpr double kSweep_rad = 0.9;
 constexpr double kHeadTurn_rad = 0.6;
+constexpr double kHeadDriving_rad = 0.25;  // where the robot goes stays in the 43 degree view
 constexpr double kMoverPatience_s = 6.0;
 constexpr double kImpossible_s = 0.6;
 constexpr double kForgivenAfter_m = 1.0;  // headway that makes old troubles forgotten
@@ -73,7 +74,7 @@ bool WayFollower::way_is_open() const {
 
 Wish WayFollower::tick(const ShortTermMemory& memory, const Course& course) {
   measure_headway(memory, course);
-  field_.update(memory.map(), {memory.pose().x_m, memory.pose().y_m});
+  field_.update(memory.map());
   PlanRequest request;
   request.direction_rad = course.direction_rad;
   request.wanted_left_m = course.wanted_left_m;
@@ -119,7 +120,9 @@ Wish WayFollower::drive(const ShortTermMemory& memory, const Course& course) {
   if (pace.waits_for_mover && to_seconds(memory.now() - mover_since_) > kMoverPatience_s) {
     speed = settings_.pace.narrow_m_s;  // it moves without coming or going: creep past
   }
+  wish.forward_m_s = speed;
   aim_head(memory, pace, wish);
+  wish.forward_m_s = 0.0;
   if (speed < 0.03) {
     impossible_since_ = memory.now();
     wish.why = text("waits: {}", pace.reason);
@@ -137,6 +140,7 @@ Wish WayFollower::drive(const ShortTermMemory& memory, const Course& course) {
   impossible_since_ = memory.now();
   wish.forward_m_s = drive.forward_m_s;
   wish.turn_rad_s = drive.turn_rad_s;
+  aim_head(memory, pace, wish);
   if (speed < course.cruise_m_s - 0.05) {
     wish.why = text("slow: {}", dim && pace.speed_m_s > speed ? "it is dark" : pace.reason);
   }
@@ -145,8 +149,9 @@ Wish WayFollower::drive(const ShortTermMemory& memory, const Course& course) {
 
 void WayFollower::aim_head(const ShortTermMemory& memory, const Pace& pace, Wish& wish) {
   const Point2 ahead = to_inner(memory.pose(), Steering::point_at(planner_.way(), 1.8));
-  wish.pan_rad =
-      std::clamp(std::atan2(ahead.y_m, std::max(0.3, ahead.x_m)), -kHeadTurn_rad, kHeadTurn_rad);
+  const double most_rad = wish.forward_m_s > 0.1 ? kHeadDriving_rad : kHeadTurn_rad;
+  wish.pan_rad = std::clamp(std::atan2(ahead.y_m, std::max(0.3, ahead.x_m)), -most_rad, most_rad);
+  if (std::isfinite(pace.mover_m)) wish.pan_rad = std::clamp(pace.mover_rad, -most_rad, most_rad);
   if (pace.unknown_near_share > 0.3) look_down_until_ = memory.now() + from_seconds(0.6);
   wish.tilt_rad = memory.now() < look_down_until_ ? kGlanceDown_rad : kRestingTilt_rad;
 }

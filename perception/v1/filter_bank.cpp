@@ -36,14 +36,21 @@ Eigen::MatrixXd envelope(const V1Settings& s, double theta, int radius) {
 
 /// The envelope's singular vectors times the carrier's cosine and sine along x and along y.
 RealPair decompose(const V1Settings& s, int orientation, int radius) {
+  const Eigen::Index side = 2 * radius + 1;
   const double theta = orientation * std::numbers::pi / kOrientations;
   const double omega = 2.0 * std::numbers::pi / s.wavelength_px;
   const Eigen::MatrixXd full = envelope(s, theta, radius);
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(full, Eigen::ComputeThinU | Eigen::ComputeThinV);
   const Eigen::VectorXd index =
-      Eigen::VectorXd::LinSpaced(2 * radius + 1, -static_cast<double>(radius), radius);
+      Eigen::VectorXd::LinSpaced(side, -static_cast<double>(radius), radius);
   const Eigen::ArrayXd phase_x = index.array() * omega * std::cos(theta);
   const Eigen::ArrayXd phase_y = index.array() * omega * std::sin(theta);
+  // The share of the envelope that makes the even kernel's sum zero.
+  const Eigen::ArrayXXd carrier =
+      (phase_y.replicate(1, side).rowwise() + phase_x.transpose()).cos();
+  const double share =
+      s.even_mean == EvenMean::envelope ? (full.array() * carrier).sum() / full.sum() : 0.0;
+  const Eigen::VectorXd nothing = Eigen::VectorXd::Zero(side);
   RealPair pair{orientation, {}};
   for (int k = 0; k < FilterBank::kRank; ++k) {
     const double size = svd.singularValues()(k);
@@ -61,6 +68,7 @@ RealPair decompose(const V1Settings& s, int orientation, int radius) {
     if (orientation != kOrientations / 2) {
       pair.products.push_back({sin_x, -sin_y, cos_y, even ? 1 : 0});
     }
+    if (share != 0.0) pair.products.push_back({v, -share * u, nothing, even ? 0 : 1});
   }
   return pair;
 }
@@ -129,9 +137,9 @@ FilterBank::Pair quantise(const RealPair& real, double gain, const V1Settings& s
     even_sum += sum(product.row) * sum(product.column_even) / (1 << FilterBank::kRowShift);
     pair.products.push_back(std::move(product));
   }
-  if (s.remove_mean) {
+  if (s.even_mean == EvenMean::flat) {
     pair.box_factor = static_cast<std::int32_t>(std::lround(even_sum / (side * side)));
-  } else {
+  } else if (s.even_mean == EvenMean::kept) {
     pair.offset = static_cast<std::int32_t>(std::lround(128.0 * even_sum));
   }
   return pair;

@@ -14,6 +14,7 @@ constexpr double kR = kPersonRadius_m;
 constexpr double kHandM = 0.12;      ///< nearer to the robot nobody steps of his own will
 constexpr double kComfortM = 0.45;   ///< nearer to the robot nobody likes to be
 constexpr double kFriendlyM = 0.15;  ///< likewise for other people
+constexpr double kEager = 2.5;       ///< how much a metre of way counts against comfort
 constexpr double kAcceleration_m_s2 = 3.0;
 constexpr double kTurning_rad_s = 5.0;
 constexpr double kLookAheadM = 1.0;  ///< on the way, for where to go
@@ -79,6 +80,17 @@ Point2 Walker::point_on_way(double along_m) const {
   return way_.back();
 }
 
+std::vector<Point2> Walker::rest_of_way() const {
+  std::vector<Point2> rest;
+  double along = 0.0;
+  for (std::size_t i = 0; i < way_.size(); ++i) {
+    if (i > 0) along += distance_m(way_[i - 1], way_[i]);
+    if (along > progress_m_) rest.push_back(way_[i]);
+  }
+  if (!rest.empty()) rest.insert(rest.begin(), at());
+  return rest;
+}
+
 void Walker::find_progress() {
   // He never goes back: the nearest place on the next metre counts.
   double best = progress_m_;
@@ -137,12 +149,14 @@ double Walker::cost(const Choice& choice, Point2 target, const Surroundings& aro
              state_.pose.y_m + way * std::sin(choice.direction_rad)};
     sum += cost_at(place, moment, around);
   }
-  return sum + distance_m(place, target);
+  return sum + kEager * distance_m(place, target);
 }
 
 double Walker::cost_at(Point2 place, double after_s, const Surroundings& around) const {
   double sum = 0.0;
   const double urgency = 1.6 - 0.5 * after_s;
+  // Who has waited long makes himself thin.
+  const double comfort = std::max(0.2, 1.0 - 0.2 * held_up_s_);
   if (!at_a_door(place)) {
     const double room = around.map->at(place) - kR;
     if (room < 0.02 && room < around.map->at(at()) - kR - 1e-6) sum += 8.0;
@@ -152,14 +166,14 @@ double Walker::cost_at(Point2 place, double after_s, const Surroundings& around)
   if (distance_m(place, {robot.x_m, robot.y_m}) < 1.2) {
     const double room = distance_m(moved(around.footprint, robot), disc(place, kR));
     if (room < kHandM + 0.05) sum += 4.0 * urgency;
-    if (room < kComfortM) sum += 3.0 * urgency * (kComfortM - room);
+    if (room < kComfortM) sum += 2.0 * comfort * urgency * (kComfortM - room);
   }
   for (const Passer& other : around.others) {
     const Point2 then{other.at.x_m + after_s * other.velocity_x_m_s,
                       other.at.y_m + after_s * other.velocity_y_m_s};
     const double room = distance_m(place, then) - 2 * kR;
     if (room < 0.05) sum += 3.0 * urgency;
-    if (room < kFriendlyM) sum += 2.0 * urgency * (kFriendlyM - room);
+    if (room < kFriendlyM) sum += 2.0 * comfort * urgency * (kFriendlyM - room);
   }
   return sum;
 }

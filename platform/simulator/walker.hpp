@@ -40,6 +40,8 @@ class Walker {
   /// Follows these points from now on. Near `doors` walls do not hold him.
   void go(std::vector<Point2> way, double speed_m_s, std::vector<Point2> doors = {});
   void stand() { way_.clear(); }
+  /// What is left of his way, from where he is; empty where he has none.
+  [[nodiscard]] std::vector<Point2> rest_of_way() const;
 
   /// Chooses where to step next; several times a second.
   void decide(const Surroundings& around);

@@ -12,7 +12,7 @@ std::size_t at(int i) {
 
 }  // namespace
 
-const std::vector<V4>& EyePicture::render(const View& view, bool with_smooth_edges) {
+const std::vector<V4>& EyePicture::render(const View& view, bool smooth_edges) {
   const int pixels = view.width_px * view.height_px;
   light_.resize(at(pixels));
   group_.resize(at(pixels));
@@ -22,7 +22,12 @@ const std::vector<V4>& EyePicture::render(const View& view, bool with_smooth_edg
   pending_count_ = 0;
   trace_all(view);
   flush_mirror(view);
-  if (with_smooth_edges) smooth_edges(view);
+  if (smooth_edges) {
+    const std::vector<int> pixels_at_edges = edges(view);
+    for (std::size_t first = 0; first < pixels_at_edges.size(); first += 4) {
+      resample(view, pixels_at_edges, first);
+    }
+  }
   blur_mirror();
   add_mirror(view);
   return light_;
@@ -87,27 +92,31 @@ void EyePicture::flush_mirror(const View& view) {
   pending_count_ = 0;
 }
 
-bool EyePicture::is_edge(const View& view, int x, int y) const {
-  const int here = y * view.width_px + x;
-  const float a = luminance(light_[at(here)]);
-  const auto differs = [&](int there) {
-    const float b = luminance(light_[at(there)]);
-    const float needed = group_[at(here)] == group_[at(there)] ? 0.3F : 0.05F;
-    return std::abs(a - b) > needed * std::max(a, b);
+/// Pixels beside a visible step of brightness, on both sides of it.
+std::vector<int> EyePicture::edges(const View& view) {
+  const int w = view.width_px;
+  const std::size_t pixels = light_.size();
+  brightness_.resize(pixels);
+  is_edge_.assign(pixels, 0);
+  for (std::size_t i = 0; i < pixels; ++i) brightness_[i] = luminance(light_[i]);
+  const auto compare = [&](std::size_t here, std::size_t there) {
+    const float a = brightness_[here];
+    const float b = brightness_[there];
+    const float needed = group_[here] == group_[there] ? 0.35F : 0.12F;
+    if (std::abs(a - b) > needed * std::max(a, b)) is_edge_[here] = is_edge_[there] = 1;
   };
-  return (x > 0 && differs(here - 1)) || (x + 1 < view.width_px && differs(here + 1)) ||
-         (y > 0 && differs(here - view.width_px)) ||
-         (y + 1 < view.height_px && differs(here + view.width_px));
-}
-
-void EyePicture::smooth_edges(const View& view) {
-  std::vector<int> edges;
   for (int y = 0; y < view.height_px; ++y) {
-    for (int x = 0; x < view.width_px; ++x) {
-      if (is_edge(view, x, y)) edges.push_back(y * view.width_px + x);
+    for (int x = 0; x < w; ++x) {
+      const std::size_t here = at(y * w + x);
+      if (x + 1 < w) compare(here, here + 1);
+      if (y + 1 < view.height_px) compare(here, here + at(w));
     }
   }
-  for (std::size_t first = 0; first < edges.size(); first += 4) resample(view, edges, first);
+  std::vector<int> found;
+  for (std::size_t i = 0; i < pixels; ++i) {
+    if (is_edge_[i] != 0) found.push_back(static_cast<int>(i));
+  }
+  return found;
 }
 
 /// Four pixels, each with four rays in place of its one.

@@ -19,8 +19,7 @@ class EyePicture {
  private:
   void trace_all(const View& view);
   void trace_tile(const View& view, int left, int top);
-  void smooth_edges(const View& view);
-  [[nodiscard]] bool is_edge(const View& view, int x, int y) const;
+  [[nodiscard]] std::vector<int> edges(const View& view);
   void resample(const View& view, const std::vector<int>& pixels, std::size_t first);
   void want_mirror(const Packet& packet, unsigned lane, Vec3 normal, int cell);
   void flush_mirror(const View& view);
@@ -31,6 +30,8 @@ class EyePicture {
   const Shader& shader_;
   std::vector<V4> light_;
   std::vector<int> group_;
+  std::vector<float> brightness_;
+  std::vector<std::uint8_t> is_edge_;
   std::vector<V4> mirror_;  ///< half resolution; lane 3: 1 where there is one
   std::vector<V4> scratch_;
   int mirror_width_ = 0;

@@ -30,6 +30,24 @@ struct alignas(64) Packet {
   }
 };
 
+inline void Packet::set(unsigned lane, Vec3 origin, Vec3 direction, float t_min, float t_max) {
+  rays.ray.org_x[lane] = origin.x;
+  rays.ray.org_y[lane] = origin.y;
+  rays.ray.org_z[lane] = origin.z;
+  rays.ray.dir_x[lane] = direction.x;
+  rays.ray.dir_y[lane] = direction.y;
+  rays.ray.dir_z[lane] = direction.z;
+  rays.ray.tnear[lane] = t_min;
+  rays.ray.tfar[lane] = t_max;
+  rays.ray.time[lane] = 0.0F;
+  rays.ray.mask[lane] = ~0U;
+  rays.ray.id[lane] = lane;
+  rays.ray.flags[lane] = 0;
+  rays.hit.geomID[lane] = RTC_INVALID_GEOMETRY_ID;
+  rays.hit.instID[0][lane] = RTC_INVALID_GEOMETRY_ID;
+  valid[lane] = -1;
+}
+
 /// The patches in Embree: what stands still, built once, and the people, built anew each picture.
 /// One thread; two tracers may work in two threads.
 class Tracer {
