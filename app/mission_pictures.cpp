@@ -59,7 +59,8 @@ cv::Mat3b overview_of(const Mission& mission) {
   place(page, pictures::draw_saliency(trace.senses.stereo, trace.percept, kSmall),
         {kLarge.width + kGap, kSmall.height + 6}, "saliency");
   place(page,
-        draw_map(mission.cycle().memory(), mission.body().description(), mission.trail(), kMapSide),
+        pictures::draw_map(mission.cycle().memory(), mission.body().description(), mission.trail(),
+                           kMapSide),
         {map_left, 0}, "short-term memory, 10 x 10 m");
   pictures::write(page, caption(mission), {10, kLarge.height + 26}, pictures::kInk, 1.1);
   return page;
@@ -91,8 +92,8 @@ void MissionPictures::finish(const Mission& mission, const RunResult& result) co
   const std::string title = fmt::format(
       "{}, seed {}: {} after {:.1f} m and {:.0f} s, nearest pass {:.2f} m", mission.world().name,
       result.seed, result.outcome, result.distance_m, result.duration_s, result.nearest_pass_m);
-  save(folder_ + "/plan.png",
-       draw_plan(mission.world(), mission.plan(), mission.body().judge(), &mission.light(), title));
+  save(folder_ + "/plan.png", pictures::draw_plan(mission.world(), mission.plan(),
+                                                  mission.body().judge(), &mission.light(), title));
 }
 
 }  // namespace striate
