@@ -80,7 +80,7 @@ void EyePicture::want_mirror(const Packet& packet, unsigned lane, Vec3 normal, i
 
 void EyePicture::flush_mirror(const View& view) {
   if (pending_count_ == 0) return;
-  for (unsigned i = pending_count_; i < Packet::kSize; ++i) pending_.valid[i] = 0;
+  for (unsigned i = pending_count_; i < Packet::kSize; ++i) pending_.clear(i);
   tracer_.intersect(pending_, true);
   std::array<Shaded, Packet::kSize> shaded;
   shader_.shade(pending_, 2.5F / view.focal_px, pending_before_m_.data(), shaded.data());
@@ -112,9 +112,17 @@ std::vector<int> EyePicture::edges(const View& view) {
       if (y + 1 < view.height_px) compare(here, here + at(w));
     }
   }
+  // Tile by tile, so that rays that are traced together go nearly the same way.
+  constexpr int kTile_px = 8;
   std::vector<int> found;
-  for (std::size_t i = 0; i < pixels; ++i) {
-    if (is_edge_[i] != 0) found.push_back(static_cast<int>(i));
+  for (int top = 0; top < view.height_px; top += kTile_px) {
+    for (int left = 0; left < w; left += kTile_px) {
+      for (int y = top; y < std::min(top + kTile_px, view.height_px); ++y) {
+        for (int x = left; x < std::min(left + kTile_px, w); ++x) {
+          if (is_edge_[at(y * w + x)] != 0) found.push_back(y * w + x);
+        }
+      }
+    }
   }
   return found;
 }

@@ -55,10 +55,12 @@ float Shader::hidden_by_people(Vec3 place, Vec3 normal) const {
       const Vec3 way = ball.centre - place;
       const float r2 = ball.radius_m * ball.radius_m;
       const float d2 = std::max(dot(way, way), r2);
-      const float d = std::sqrt(d2);
-      // Fades out towards the reach, so that its border is not seen.
-      const float near = std::max(0.0F, 1.0F - d2 / (Occluder::kReach_m * Occluder::kReach_m));
-      open *= 1.0F - near * std::min(0.85F, std::max(0.0F, dot(way, normal) / d) * r2 / d2);
+      // Cosine times the ball's solid angle; fades out towards the reach, whose border is not seen.
+      const float hidden =
+          std::min(0.85F, std::max(0.0F, dot(way, normal)) * r2 / (d2 * std::sqrt(d2)));
+      open *=
+          1.0F -
+          hidden * std::max(0.0F, 1.0F - d2 * (1.0F / (Occluder::kReach_m * Occluder::kReach_m)));
     }
   }
   return open;
@@ -95,7 +97,7 @@ void Shader::cast_to_sun(const Packet& packet, const std::array<Vec3, Packet::kS
                          std::array<float, Packet::kSize>& sun) const {
   Packet shadow;
   for (unsigned i = 0; i < Packet::kSize; ++i) {
-    shadow.valid[i] = 0;
+    shadow.clear(i);
     if (sun[i] > 0.0F)
       shadow.set(i, packet.place(i) + normal[i] * 0.003F, stage_.sun->towards, 0.001F, 1e4F);
   }

@@ -18,6 +18,11 @@ struct alignas(64) Packet {
 
   /// `t_max` in lengths of `direction`.
   void set(unsigned lane, Vec3 origin, Vec3 direction, float t_min, float t_max);
+  /// No ray in this lane. It gets harmless numbers: Debian's Embree checks empty lanes too.
+  void clear(unsigned lane) {
+    set(lane, {}, {0.0F, 0.0F, 1.0F}, 0.0F, -1.0F);
+    valid[lane] = 0;
+  }
   [[nodiscard]] bool hit(unsigned lane) const {
     return rays.hit.geomID[lane] != RTC_INVALID_GEOMETRY_ID;
   }
