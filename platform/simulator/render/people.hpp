@@ -15,6 +15,7 @@ struct Occluder {
   };
   static constexpr float kReach_m = 1.2F;  ///< beyond this, nothing is darkened
   Vec3 foot;
+  Vec3 head;
   std::array<Ball, 5> balls;
 };
 

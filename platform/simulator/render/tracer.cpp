@@ -62,13 +62,13 @@ void Tracer::set_people(const std::vector<Patch>& people) {
                     getenv("MED") ? RTC_BUILD_QUALITY_MEDIUM : RTC_BUILD_QUALITY_LOW);
 }
 
-void Tracer::intersect(Packet& packet, bool coherent) const {
+void Tracer::intersect(Packet& packet, bool coherent, bool people) const {
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   context.flags = coherent && !getenv("INC") ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT
                                              : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
   rtcIntersect16(packet.valid.data(), still_, &context, &packet.rays);
-  if (has_people_) rtcIntersect16(packet.valid.data(), people_, &context, &packet.rays);
+  if (people && has_people_) rtcIntersect16(packet.valid.data(), people_, &context, &packet.rays);
 }
 
 void Tracer::occlude(Packet& packet) const {

@@ -66,8 +66,9 @@ class Tracer {
   Tracer& operator=(const Tracer&) = delete;
 
   void set_people(const std::vector<Patch>& people);
-  /// primID is the patch's number. `coherent`: the rays go nearly the same way.
-  void intersect(Packet& packet, bool coherent) const;
+  /// primID is the patch's number. `coherent`: the rays go nearly the same way. `people`: whether
+  /// the rays may meet anybody.
+  void intersect(Packet& packet, bool coherent, bool people = true) const;
   /// tfar becomes -inf where anything stands between; the hits are left alone.
   void occlude(Packet& packet) const;
 
