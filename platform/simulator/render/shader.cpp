@@ -40,8 +40,9 @@ Shader::Look Shader::look_at(const Packet& packet, unsigned lane, float spread,
   const float facing = std::abs(dot(direction, patch.normal)) / speed;
   const float pixel_m = (packet.rays.ray.tfar[lane] * speed + before_m) * spread;
   const float texels = pixel_m * patch.texels_per_m;
-  look.level = &look.material->texture->level(
-      0.5F * fast_log2(texels * texels / std::max(facing, 0.03F) + 1e-9F));
+  const float level = 0.5F * fast_log2(texels * texels / std::max(facing, 0.03F) + 1e-9F);
+  look.level = {&look.material->texture->level(level - 0.35F),
+                &look.material->texture->level(level + 0.15F)};
   return look;
 }
 
@@ -135,8 +136,8 @@ void Shader::shade(const Packet& packet, float spread, const float* before_m, Sh
     }
     const float u = packet.rays.hit.u[i];
     const float v = packet.rays.hit.v[i];
-    albedo[i] = look.material->texture->sample(*look.level, Patch::at(patch.s, u, v),
-                                               Patch::at(patch.t, u, v));
+    albedo[i] = look.material->texture->sample(*look.level[(i ^ (i >> 2U)) & 1U],
+                                               Patch::at(patch.s, u, v), Patch::at(patch.t, u, v));
     V4 light = light_at(patch, look.light, u, v);
     if (look.sun > 0.0F && light[3] > 0.0F) {
       sun[i] = look.sun;
