@@ -1,0 +1,147 @@
+#include "perception/stereo/stereo_matcher.hpp"
+
+#include <array>
+#include <opencv2/imgproc.hpp>
+#include <stdexcept>
+#include <string>
+
+#include "config/user_error.hpp"
+#include "perception/descriptor/dense_descriptor.hpp"
+#include "perception/descriptor/phase_code.hpp"
+#include "perception/stereo/cost_kernels.hpp"
+#include "perception/stereo/decision.hpp"
+#include "perception/stereo/phase_costs.hpp"
+#include "perception/stereo/semi_global.hpp"
+#include "perception/v1/v1_cells.hpp"
+
+namespace striate {
+namespace {
+
+void check(const StereoSettings& s) {
+  auto require = [](bool good, const std::string& what) {
+    if (!good) throw UserError("stereo: " + what);
+  };
+  require(s.candidates >= 0 && s.candidates <= 256, "candidates must be 0 .. 256");
+  require(s.width >= 1, "width must be at least 1 px");
+  for (const V1Settings& v1 : {s.paper_v1, s.robust.v1}) {
+    require(v1.wavelength_px >= 3.0 && v1.wavelength_px <= 12.0, "wavelength must be 3 .. 12 px");
+  }
+  require(s.robust.large_step_penalty >= 1 && s.robust.large_step_penalty <= 120 &&
+              s.robust.small_step_penalty >= 0 && s.robust.small_step_penalty <= 120,
+          "step penalties must be at most 120 bits");
+}
+
+}  // namespace
+
+class StereoMatcher::Work {
+ public:
+  explicit Work(const StereoSettings& settings)
+      : settings_(settings),
+        robust_(settings.setting == StereoSetting::robust),
+        points_(descriptor_points(settings.paper_v1.wavelength_px, 1.0)),
+        cells_(robust_ ? settings.robust.v1 : settings.paper_v1),
+        semi_global_(settings.robust.small_step_penalty, settings.robust.large_step_penalty),
+        decision_(settings.robust) {}
+
+  void match(const cv::Mat1b& left, const cv::Mat1b& right, DisparityMap& out) {
+    const int reach = robust_ ? 0 : descriptor_reach(settings_.paper_v1.wavelength_px, 1.0);
+    cells_.respond(left, reach, robust_, left_);
+    cells_.respond(right, reach, robust_, right_);
+    prepare(left.cols);
+    out.disparity_px.create(left.size());
+    out.confidence.create(left.size());
+    if (robust_) {
+      match_robust(left.size(), out);
+    } else {
+      match_as_paper(left.size(), out);
+    }
+  }
+
+  [[nodiscard]] const StereoSettings& settings() const { return settings_; }
+
+ private:
+  /// Disparities 0 .. candidates_ - 1; vector code fills a multiple of 4.
+  void prepare(int width) {
+    candidates_ = settings_.searched();
+    rounded_ = (candidates_ + 3) / 4 * 4;
+    outside_.resize(width, 1, rounded_ + 4, 0);
+    std::fill(outside_.row(0) - outside_.margin(), outside_.row(0), std::uint8_t{255});
+    std::fill(outside_.row(0), outside_.row(0) + width, std::uint8_t{0});
+  }
+
+  void match_as_paper(cv::Size size, DisparityMap& out) {
+    costs_.resize(1, rounded_, size.width);
+    left_row_.resize(size.width, kDescriptorPoints, 0, 0);
+    right_row_.resize(size.width, kDescriptorPoints, rounded_ + 4, 0);
+    const DescriptorRow left{left_row_.row(0), left_row_.stride()};
+    const DescriptorRow right{right_row_.row(0), right_row_.stride()};
+    winners_.resize(size.width, 1, 0, 0);
+    raw_.create(size);
+    for (int y = 0; y < size.height; ++y) {
+      describe_row(left_, points_, y, left);
+      describe_row(right_, points_, y, right);
+      stereo_kernels::hamming_costs(left, right, outside_.row(0), size.width, rounded_,
+                                    costs_.line(0), costs_.stride());
+      stereo_kernels::smallest_cost(costs_.line(0), costs_.stride(), size.width, candidates_,
+                                    winners_.row(0));
+      std::copy(winners_.row(0), winners_.row(0) + size.width, raw_.ptr(y));
+    }
+    cv::medianBlur(raw_, median_, 5);
+    median_.convertTo(out.disparity_px, CV_32F);
+    out.confidence.setTo(1.0F);
+  }
+
+  void match_robust(cv::Size size, DisparityMap& out) {
+    phase_codes(left_, 0, left_phase_);
+    phase_codes(right_, rounded_, right_phase_);
+    phase_costs_.compute(left_phase_, right_phase_, outside_, rounded_, costs_);
+    semi_global_.smooth(costs_, size.height);
+    decision_.decide({costs_, semi_global_, outside_, left_, candidates_}, out);
+  }
+
+  StereoSettings settings_;
+  bool robust_;
+  std::array<DescriptorPoint, kDescriptorPoints> points_;
+  V1Cells cells_;
+  SemiGlobal semi_global_;
+  Decision decision_;
+  V1Responses left_, right_;
+  PhaseCodes left_phase_, right_phase_;
+  PhaseCosts phase_costs_;
+  int candidates_ = 0;
+  int rounded_ = 0;
+  Plane<std::uint8_t> left_row_, right_row_, outside_, winners_;
+  Volume<std::uint8_t> costs_;
+  cv::Mat1b raw_, median_;
+};
+
+StereoMatcher::StereoMatcher(const StereoSettings& settings) {
+  check(settings);
+  work_ = std::make_unique<Work>(settings);
+}
+StereoMatcher::~StereoMatcher() = default;
+StereoMatcher::StereoMatcher(StereoMatcher&&) noexcept = default;
+StereoMatcher& StereoMatcher::operator=(StereoMatcher&&) noexcept = default;
+
+const StereoSettings& StereoMatcher::settings() const {
+  return work_->settings();
+}
+
+DisparityMap StereoMatcher::match(const cv::Mat1b& left, const cv::Mat1b& right) {
+  DisparityMap out;
+  match(left, right, out);
+  return out;
+}
+
+void StereoMatcher::match(const cv::Mat1b& left, const cv::Mat1b& right, DisparityMap& out) {
+  if (left.empty()) throw std::invalid_argument("StereoMatcher: the left picture is empty");
+  if (left.size() != right.size()) {
+    throw std::invalid_argument("StereoMatcher: the pictures differ in size: left " +
+                                std::to_string(left.cols) + "x" + std::to_string(left.rows) +
+                                ", right " + std::to_string(right.cols) + "x" +
+                                std::to_string(right.rows));
+  }
+  work_->match(left, right, out);
+}
+
+}  // namespace striate

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <memory>
+#include <opencv2/core/mat.hpp>
+
+#include "perception/percept.hpp"
+#include "perception/stereo/stereo_settings.hpp"
+
+namespace striate {
+
+/// A picture at the working size: grey, `width` wide, height in proportion, every working pixel
+/// the mean of the area that it covers. Smaller pictures are enlarged linearly.
+/// @param picture 8 bit, BGR or grey; else std::invalid_argument.
+[[nodiscard]] cv::Mat1b to_working_size(const cv::Mat& picture, int width);
+
+/// Dense disparity from V1 descriptors.
+///
+/// paper (the paper's section on stereo): descriptors at every pixel, lambda = 4, each left pixel
+/// against K pixels of the right picture from the same column leftwards, smallest Hamming
+/// distance wins (of equal ones the smallest disparity), 5x5 median. Every pixel has a disparity;
+/// confidence is 1 everywhere, for the paper has none.
+///
+/// robust: descriptors of the same 256 bits, from the simple cells' phase (see phase_code.hpp),
+/// semi-global smoothing of their Hamming costs (Hirschmueller 2008), sub-pixel, and rejection:
+/// left-right check, uniqueness, speckles. What is rejected is kNoMatch. Confidence is the
+/// estimated probability that the disparity is right within 1 px.
+///
+/// Integer arithmetic up to the cost volume's minimum: the same result on every machine. Buffers
+/// are kept: after the first pair of a size nothing is allocated. Not for concurrent use; any
+/// number of matchers may work side by side.
+class StereoMatcher {
+ public:
+  /// Throws UserError for settings out of range.
+  explicit StereoMatcher(const StereoSettings& settings);
+  ~StereoMatcher();
+  StereoMatcher(StereoMatcher&&) noexcept;
+  StereoMatcher& operator=(StereoMatcher&&) noexcept;
+
+  /// @param left, right rectified, at the working size (see to_working_size), same size; else
+  /// std::invalid_argument.
+  /// @return disparity in pixels of that size in the left picture's frame; the camera fields
+  /// (focal_px ...) are left for the caller, who knows the camera.
+  [[nodiscard]] DisparityMap match(const cv::Mat1b& left, const cv::Mat1b& right);
+
+  /// The same into `out`, whose matrices are used again where they fit.
+  void match(const cv::Mat1b& left, const cv::Mat1b& right, DisparityMap& out);
+
+  [[nodiscard]] const StereoSettings& settings() const;
+
+ private:
+  class Work;
+  std::unique_ptr<Work> work_;
+};
+
+}  // namespace striate

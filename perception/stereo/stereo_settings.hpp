@@ -1,0 +1,63 @@
+#pragma once
+
+#include <algorithm>
+
+#include "config/settings.hpp"
+#include "perception/v1/v1_settings.hpp"
+
+namespace striate {
+
+/// paper: what the paper says, to the letter. robust: what works best here.
+enum class StereoSetting { paper, robust };
+
+/// How the robust setting decides; the paper's setting has none of this.
+struct RobustStereoSettings {
+  /// A shorter wavelength than the paper's 4 px and a narrow, round envelope: finer in the
+  /// picture, and exactly separable, so also faster.
+  V1Settings v1{3.0, 0.30, 1.0, EvenMean::envelope};
+  int small_step_penalty = 20;  ///< P1, in bits: neighbours differ by one pixel of disparity
+  int large_step_penalty = 80;  ///< P2, in bits: by more
+  int left_right_px = 1;        ///< tolerance of the left-right check
+  double uniqueness = 0.02;     ///< the runner-up must be worse by this fraction
+  int speckle_px = 40;          ///< connected pieces smaller than this are dropped
+};
+
+/// Settings of StereoMatcher.
+struct StereoSettings {
+  StereoSetting setting = StereoSetting::robust;
+  int width = 160;     ///< px; pictures are brought to this width
+  int candidates = 0;  ///< disparities searched; 0: 150 (paper), 64 (robust) at width 160, in scale
+  V1Settings paper_v1;  ///< of the paper setting: lambda = 4 px
+  RobustStereoSettings robust;
+
+  /// Disparities 0 .. n - 1 are searched; at most 256.
+  [[nodiscard]] int searched() const {
+    if (candidates > 0) return candidates;
+    const int at_160 = setting == StereoSetting::paper ? 150 : 64;
+    return std::clamp(at_160 * width / 160, 1, 256);
+  }
+};
+
+template <class V>
+void visit(V& v, RobustStereoSettings& s) {
+  using config::Unit;
+  v.section("v1", s.v1);
+  v.integer("small_step_penalty", s.small_step_penalty, {0, 120}, "bits, for a step of one pixel");
+  v.integer("large_step_penalty", s.large_step_penalty, {1, 120}, "bits, for a larger step");
+  v.integer("left_right", s.left_right_px, {0, 8}, "pixels that left and right may disagree by");
+  v.number("uniqueness", s.uniqueness, Unit::fraction, {0.0, 1.0},
+           "the runner-up must be worse by");
+  v.integer("speckle", s.speckle_px, {0, 2000}, "smaller connected pieces are dropped, pixels");
+}
+
+template <class V>
+void visit(V& v, StereoSettings& s) {
+  v.choice("setting", s.setting, {"paper", "robust"}, "the paper's stereo, or the best we have");
+  v.integer("width", s.width, {32, 640}, "working width, pixels");
+  v.integer("candidates", s.candidates, {0, 256},
+            "disparities searched; 0: 150 (paper) or 64 (robust) at width 160");
+  v.section("paper_v1", s.paper_v1);
+  v.section("robust", s.robust);
+}
+
+}  // namespace striate

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <opencv2/core/mat.hpp>
+#include <vector>
+
+#include "perception/v1/filter_bank.hpp"
+#include "perception/v1/plane.hpp"
+#include "perception/v1/v1_kernels.hpp"
+#include "perception/v1/v1_settings.hpp"
+
+namespace striate {
+
+/// Responses of V1 at every pixel of one picture. All planes have the picture's size.
+struct V1Responses {
+  int width = 0;
+  int height = 0;
+  double wavelength_px = 0.0;
+  double gain = 1.0;  ///< even and odd are `gain` times the model's response to grey 0..255
+
+  /// Complex cells, C_i^2 = even_i^2 + odd_i^2, as a 16-bit code that grows with C_i: the leading
+  /// bits of the float C_i^2 + 1; see complex_response(). Beyond the picture, `margin()` pixels
+  /// on each side, the nearest pixel's value stands.
+  std::array<Plane<std::int16_t>, kOrientations> code;
+
+  /// Simple cells; filled only when asked for.
+  std::array<Plane<std::int16_t>, kOrientations> even;
+  std::array<Plane<std::int16_t>, kOrientations> odd;
+
+  [[nodiscard]] int margin() const { return code[0].margin_rows(); }
+};
+
+/// C in units of the simple cells' 16-bit responses, from its code.
+[[nodiscard]] float complex_response(std::int16_t code);
+
+/// Simple and complex cells of 8 orientations (the paper's section on V1, equation 1; the model
+/// of Rodrigues and du Buf 2006). Outside the picture it is mirrored without repeating the border
+/// pixel. Keeps its buffers: after the first picture of a size nothing is allocated.
+class V1Cells {
+ public:
+  explicit V1Cells(const V1Settings& settings);
+
+  /// @param grey any size from 1x1; empty throws std::invalid_argument.
+  /// @param margin pixels that the codes are continued beyond the border.
+  /// @param simple_cells also fill `even` and `odd`.
+  void respond(const cv::Mat1b& grey, int margin, bool simple_cells, V1Responses& out);
+
+  [[nodiscard]] const FilterBank& bank() const { return bank_; }
+
+ private:
+  struct PackedProduct {
+    std::vector<std::int32_t> row;
+    std::array<std::vector<std::int32_t>, 2> even, odd;  ///< for output rows of even and odd y
+    int slot = 0;
+  };
+  void take_picture(const cv::Mat1b& grey);
+  void sum_boxes(const cv::Mat1b& grey);
+  void respond_pair(std::size_t index, bool simple_cells, V1Responses& out);
+
+  V1Settings settings_;
+  FilterBank bank_;
+  std::vector<std::vector<PackedProduct>> packed_;  ///< one list per pair of the bank
+  Plane<std::uint8_t> mirrored_row_;
+  Plane<std::int32_t> pixel_pairs_;  ///< see v1_kernels::pair_up
+  std::vector<Plane<std::int32_t>> row_sums_;
+  Plane<std::int32_t> box_rows_;
+  Plane<std::int32_t> box_;
+  v1_kernels::ColumnJob job_;
+};
+
+}  // namespace striate
