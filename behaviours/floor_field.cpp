@@ -7,7 +7,8 @@
 namespace striate {
 namespace {
 
-constexpr int kSide = LocalGrid::kSide;
+constexpr int kSide = 2 * FloorField::kReach;
+constexpr int kSkip = LocalGrid::kSide / 2 - FloorField::kReach;
 constexpr float kStrongAlone = 3.0F;  // log-odds
 
 }  // namespace
@@ -17,10 +18,11 @@ FloorField::FloorField()
       open_(kSide, kSide, std::uint8_t{255}),
       seen_(kSide, kSide, std::uint8_t{0}),
       distance_cells_(kSide, kSide, 1e3F),
-      seen_cells_(kSide, kSide, 0.0F) {}
+      seen_cells_(kSide, kSide, 0.0F),
+      round_(3, 3, std::uint8_t{1}) {}
 
 void FloorField::update(const LocalGrid& grid) {
-  first_ = grid.first();
+  first_ = {grid.first().x + kSkip, grid.first().y + kSkip};
   for (int row = 0; row < kSide; ++row) {
     std::uint8_t* states = states_[row];
     std::uint8_t* seen = seen_[row];
@@ -45,9 +47,9 @@ void FloorField::update(const LocalGrid& grid) {
       }
     }
   }
-  cv::distanceTransform(open_, distance_cells_, cv::DIST_L2, cv::DIST_MASK_5);
+  cv::distanceTransform(open_, distance_cells_, cv::DIST_L2, cv::DIST_MASK_3);
   // A hole of one patch in seen floor is a column without a match, not a thing.
-  cv::morphologyEx(seen_, seen_, cv::MORPH_CLOSE, cv::Mat1b(3, 3, std::uint8_t{1}));
+  cv::morphologyEx(seen_, seen_, cv::MORPH_CLOSE, round_);
   cv::distanceTransform(seen_, seen_cells_, cv::DIST_L2, cv::DIST_MASK_3);
 }
 

@@ -12,11 +12,12 @@ namespace striate {
 class FloorField {
  public:
   static constexpr double kFar_m = 10.0;
+  static constexpr int kReach = 108;  ///< cells each way, 5.4 m
 
   FloorField();
   void update(const LocalGrid& grid);
 
-  /// Distance to the nearest edge of anything; kFar_m outside the map.
+  /// Distance to the nearest edge of anything; kFar_m outside the field.
   [[nodiscard]] double clearance_m(Point2 odometry) const;
   /// Distance to the nearest floor that is not seen free: an edge of knowledge may hide a wall too
   /// plain to see. Never more than `clearance_m`; 0 on unknown floor.
@@ -32,6 +33,7 @@ class FloorField {
   cv::Mat1b seen_;  // 0 where floor is not seen free
   cv::Mat1f distance_cells_;
   cv::Mat1f seen_cells_;
+  cv::Mat1b round_;
 };
 
 }  // namespace striate

@@ -19,6 +19,8 @@ constexpr double kMoverPatience_s = 6.0;
 constexpr double kImpossible_s = 0.6;
 constexpr double kForgivenAfter_m = 1.0;  // headway that makes old troubles forgotten
 constexpr double kUnstuck_m = 0.25;
+constexpr int kTightAfter = 2;  // troubles
+constexpr double kTightShare = 0.4;
 
 template <class... Args>
 ShortText text(std::string_view format, const Args&... args) {
@@ -68,6 +70,11 @@ void WayFollower::measure_headway(const ShortTermMemory& memory, const Course& c
   if (headway_m_ > trouble_headway_m_ + kForgivenAfter_m) troubles_ = 0;
 }
 
+// The first tries keep the full margin; after that a tighter fit is better than giving up.
+double WayFollower::least_margin_m() const {
+  return settings_.least_margin_m * (troubles_ < kTightAfter ? 1.0 : kTightShare);
+}
+
 bool WayFollower::way_is_open() const {
   return planner_.way().found;
 }
@@ -79,7 +86,7 @@ Wish WayFollower::tick(const ShortTermMemory& memory, const Course& course) {
   request.direction_rad = course.direction_rad;
   request.wanted_left_m = course.wanted_left_m;
   request.half_width_m = robot_.half_width_m;
-  request.least_margin_m = settings_.least_margin_m;
+  request.least_margin_m = least_margin_m();
   request.left_wall_m = course.left_wall_m;
   request.right_wall_m = course.right_wall_m;
   planner_.plan(field_, memory.pose(), request);
@@ -128,8 +135,8 @@ Wish WayFollower::drive(const ShortTermMemory& memory, const Course& course) {
     wish.why = text("waits: {}", pace.reason);
     return wish;
   }
-  const Drive drive = steering_.follow(planner_.way(), field_, memory.pose(), speed,
-                                       0.6 * settings_.least_margin_m);
+  const Drive drive =
+      steering_.follow(planner_.way(), field_, memory.pose(), speed, 0.6 * least_margin_m());
   if (!drive.possible) {
     wish.why = "no arc keeps clear";
     if (to_seconds(memory.now() - impossible_since_) > kImpossible_s) {
@@ -162,7 +169,7 @@ Wish WayFollower::wait(const ShortTermMemory& memory) {
   if (way_is_open() && since_s > 0.5) {
     impossible_since_ = memory.now() + from_seconds(0.5);
     const Drive drive = steering_.follow(planner_.way(), field_, memory.pose(),
-                                         settings_.pace.narrow_m_s, 0.6 * settings_.least_margin_m);
+                                         settings_.pace.narrow_m_s, 0.6 * least_margin_m());
     if (drive.possible) enter(State::driving, memory);
   }
   if (since_s > settings_.patience_s) {

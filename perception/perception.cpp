@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "perception/noise_estimate.hpp"
+#include "perception/obstacles/wall_completion.hpp"
 
 namespace striate {
 namespace {
@@ -56,6 +57,10 @@ Percept Perception::see(const StereoFrame& frame) {
   describe_camera(frame, left.cols, percept.disparity);
   measure_depth(frame, left, percept);
   percept.corridor = view_corridor(left, percept.disparity, frame.head, robot_, settings_.corridor);
+  if (settings_.stereo.setting == StereoSetting::robust) {
+    complete_with_walls(percept.columns, percept.corridor, percept.disparity,
+                        ViewGeometry(percept.disparity, frame.head, robot_));
+  }
   if (pictures_ % settings_.saliency_every == 0) {
     cv::Mat3b colour;
     cv::resize(frame.left, colour, left.size(), 0, 0, cv::INTER_AREA);

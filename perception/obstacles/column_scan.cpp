@@ -9,6 +9,7 @@ namespace {
 constexpr double kBin_px = 0.25;
 constexpr int kBins = 384;  // level disparities up to 96 px: 0.25 m with the shipped camera
 constexpr int kPool = 2;    // columns to either side that lend support
+constexpr double kPoolFilled = 0.6;
 constexpr int kWindow = 3;  // bins to either side that count as the same distance
 // Level disparity of a plane changes by baseline / lateral distance per column: 0.25 px is a wall
 // half a metre beside the camera.
@@ -19,11 +20,13 @@ float ramp(double value, double from, double to) {
   return static_cast<float>(std::clamp((value - from) / (to - from), 0.0, 1.0));
 }
 
-/// Support needed at level disparity e: an area in the world, but never less than a few pixels.
+/// Support needed at level disparity e: a height in the world over most of the columns that are
+/// pooled, but never less than a few pixels.
 double needed_support(double level_px, const ViewGeometry& geometry,
                       const ObstacleSettings& settings) {
   const double px_per_m = geometry.focal_px() * level_px / geometry.focal_baseline();
-  return std::max(settings.smallest_px, settings.smallest_m2 * px_per_m * px_per_m);
+  return std::max(settings.smallest_px,
+                  kPoolFilled * (2 * kPool + 1) * settings.smallest_m * px_per_m);
 }
 
 using Histogram = std::vector<float>;  // one column's weight per bin

@@ -6,20 +6,21 @@
 namespace striate {
 namespace {
 
-constexpr double kBeneathCounts = 0.5;  // a mirror image says less than the floor itself
-constexpr double kFloorSeen = 0.25;     // least mean weight of a row that counts as seen
-constexpr int kBlockedRows = 2;         // so many rows of something standing end the floor
+constexpr int kPool = 2;             // columns to either side that are looked at together
+constexpr double kFloorSeen = 0.25;  // least mean weight of a row that counts as seen
+constexpr int kBlockedRows = 2;      // so many rows of something standing end the floor
 
 struct RowEvidence {
   double floor = 0.0;
+  double beneath = 0.0;
   double standing = 0.0;
 };
 
-/// Mean evidence of a row over a column and its two neighbours.
+/// Mean evidence of a row over a column and its neighbours.
 RowEvidence row_evidence(const JudgedMap& judged, int v, int u) {
   RowEvidence sum;
-  const int from = std::max(0, u - 1);
-  const int to = std::min(judged.kind.cols - 1, u + 1);
+  const int from = std::max(0, u - kPool);
+  const int to = std::min(judged.kind.cols - 1, u + kPool);
   for (int c = from; c <= to; ++c) {
     const double weight = judged.weight(v, c);
     switch (static_cast<PixelKind>(judged.kind(v, c))) {
@@ -27,7 +28,7 @@ RowEvidence row_evidence(const JudgedMap& judged, int v, int u) {
         sum.floor += weight;
         break;
       case PixelKind::beneath:
-        sum.floor += kBeneathCounts * weight;
+        sum.beneath += weight;
         break;
       case PixelKind::standing:
         sum.standing += weight;
@@ -37,7 +38,7 @@ RowEvidence row_evidence(const JudgedMap& judged, int v, int u) {
     }
   }
   const double n = to - from + 1;
-  return {sum.floor / n, sum.standing / n};
+  return {sum.floor / n, sum.beneath / n, sum.standing / n};
 }
 
 /// Distance along the floor of every row, from the camera's foot; empty above `farthest_floor_m`.
@@ -61,11 +62,17 @@ FreeFloor follow_floor(const JudgedMap& judged, const std::vector<double>& dista
   int rows_at_end = 0;
   double sum_at_end = 0.0;
   int blocked = 0;
+  double known_to_m = distance.back();
   for (int v = judged.kind.rows - 1; v >= 0 && distance[v] > 0.0; --v) {
     const RowEvidence row = row_evidence(judged, v, u);
     blocked = row.standing > row.floor ? blocked + 1 : 0;
     if (blocked >= kBlockedRows) break;
     const bool seen = row.floor >= kFloorSeen && row.floor > row.standing;
+    if (distance[v] - known_to_m > gap_m) break;
+    // A mirror image bridges the floor around it; alone it may as well lie in a table top.
+    if (seen || (free.from_row >= 0 && row.beneath > row.standing && row.beneath >= kFloorSeen)) {
+      known_to_m = distance[v];
+    }
     if (free.from_row < 0 && !seen) continue;
     if (free.from_row < 0) free.from_row = free.to_row = v;
     ++rows;
@@ -74,8 +81,6 @@ FreeFloor follow_floor(const JudgedMap& judged, const std::vector<double>& dista
       free.to_row = v;
       sum_at_end = sum;
       rows_at_end = rows;
-    } else if (distance[v] - distance[free.to_row] > gap_m) {
-      break;
     }
   }
   if (rows_at_end > 0) free.confidence = sum_at_end / rows_at_end;

@@ -11,10 +11,10 @@ struct ObstacleSettings {
   double farthest_m = 10.0;         ///< farther things are left unknown
   double farthest_floor_m = 8.0;    ///< the floor is not judged beyond
   double trusted = 0.3;             ///< disparities of less confidence are not used
-  double floor_margin_px = 0.35;    ///< disparity above the floor line that is still the floor
-  double standing_px = 1.0;         ///< disparity above the floor line that surely stands up
-  double smallest_m2 = 0.006;       ///< visible area that an obstacle must show
-  double smallest_px = 6.0;         ///< and in pixels, at any distance
+  double floor_margin_px = 0.6;     ///< disparity above the floor line that is still the floor
+  double standing_px = 1.6;         ///< disparity above the floor line that surely stands up
+  double smallest_m = 0.06;         ///< visible height that an obstacle must show
+  double smallest_px = 8.0;         ///< and in pixels, at any distance
   double floor_offset_px = 0.4;     ///< largest correction of the floor line; 0: none
   double floor_gap_m = 0.4;         ///< unknown floor up to this length is bridged
   int bridged_columns = 12;         ///< unknown columns between parts of one plane that are bridged
@@ -35,9 +35,10 @@ void visit(V& v, ObstacleSettings& s) {
            "disparity above the floor line that is still floor");
   v.number("standing", s.standing_px, Unit::pixels, {0.1, 10.0},
            "disparity above the floor line that surely stands up");
-  v.number("smallest_area_m2", s.smallest_m2, Unit::none, {0.0, 1.0},
-           "visible area of an obstacle in square metres");
-  v.number("smallest", s.smallest_px, Unit::pixels, {1.0, 1000.0}, "least pixels of an obstacle");
+  v.number("smallest_height", s.smallest_m, Unit::length, {0.0, 1.0},
+           "visible height of an obstacle");
+  v.number("smallest_area", s.smallest_px, Unit::pixels, {1.0, 1000.0},
+           "least pixels of an obstacle");
   v.number("floor_offset", s.floor_offset_px, Unit::pixels, {0.0, 2.0},
            "largest correction of the floor line by the picture itself");
   v.number("floor_gap", s.floor_gap_m, Unit::length, {0.0, 2.0}, "unknown floor that is bridged");

@@ -26,8 +26,14 @@ const std::array<float, 2 * kScoreLimit + 1> kLogistic = make_logistic();
 
 }  // namespace
 
+/// Logistic regression on 13 public pairs (the table's) in six states of light and noise, from a
+/// clean picture to a tenth of the light, with the default penalties: "right within 1.25 px" of
+/// the whole disparity, after the left-right check. In each of the six states the shares that were
+/// right lie within about 0.1 of what is estimated.
 float stereo_confidence(const StereoEvidence& e) {
-  const int score = -32 + e.margin * 5 / 8 - e.cost + e.texture / 200;
+  // The smoothed sum minus 8 times the raw cost is what smoothness paid: neighbours disagree.
+  const int score =
+      -6 + 67 * e.margin / (e.sum + 32) + 59 * e.cost / 8 - 211 * e.sum / 256 + e.texture / 330;
   return kLogistic[static_cast<std::size_t>(std::clamp(score, -kScoreLimit, kScoreLimit) +
                                             kScoreLimit)];
 }

@@ -19,7 +19,8 @@ int strongest_response(const V1Responses& responses, int y, int x) {
 
 }  // namespace
 
-Decision::Decision(const RobustStereoSettings& settings) : settings_(settings) {}
+Decision::Decision(const RobustStereoSettings& settings)
+    : settings_(settings), least_confidence_(static_cast<float>(settings.least_confidence)) {}
 
 void Decision::find_winners(const Input& input, int y) {
   const Volume<std::uint16_t>& steep = input.smoothed.steep_sums();
@@ -55,10 +56,12 @@ void Decision::decide_row(const Input& input, int y, DisparityMap& out) {
     const int smallest = winners_.row(kSmallest)[x];
     const int second = winners_.row(kSecond)[x];
     if (std::abs(winners_.row(kRightBest)[x - best] - best) > settings_.left_right_px) continue;
-    if (second - smallest < settings_.uniqueness * smallest) continue;
+    const float confidence =
+        stereo_confidence({second - smallest, smallest, costs[best * input.costs.stride() + x],
+                           strongest_response(input.left, y, x)});
+    if (confidence < least_confidence_) continue;
     disparities[x] = sub_pixel(best, x, std::min(input.candidates, x + 1));
-    confidences[x] = stereo_confidence({second - smallest, costs[best * input.costs.stride() + x],
-                                        strongest_response(input.left, y, x)});
+    confidences[x] = confidence;
   }
 }
 

@@ -15,6 +15,7 @@ namespace striate {
 /// What a pixel's disparity rests on; integers, so that every machine decides alike.
 struct StereoEvidence {
   int margin = 0;   ///< smoothed cost of the runner-up minus the winner's, sums of 8 paths
+  int sum = 0;      ///< smoothed cost of the winner, sum of 8 paths
   int cost = 0;     ///< raw Hamming distance of the winner, bits
   int texture = 0;  ///< code of the strongest complex cell, from its least value: 2048 an octave
 };
@@ -40,6 +41,7 @@ class Decision {
   void drop_speckles(DisparityMap& out);
 
   RobustStereoSettings settings_;
+  float least_confidence_;
   Plane<std::uint16_t> sums_;     ///< of one row, [disparity][column]
   Plane<std::uint16_t> winners_;  ///< rows: best, smallest, second, right_best
   std::vector<std::uint8_t> seen_;

@@ -48,6 +48,8 @@ class StereoMatcher::Work {
     cells_.respond(left, reach, robust_, left_);
     cells_.respond(right, reach, robust_, right_);
     prepare(left.cols);
+    if (!out.disparity_px.isContinuous()) out.disparity_px.release();
+    if (!out.confidence.isContinuous()) out.confidence.release();
     out.disparity_px.create(left.size());
     out.confidence.create(left.size());
     if (robust_) {

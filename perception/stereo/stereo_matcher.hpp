@@ -22,7 +22,7 @@ namespace striate {
 ///
 /// robust: descriptors of the same 256 bits, from the simple cells' phase (see phase_code.hpp),
 /// semi-global smoothing of their Hamming costs (Hirschmueller 2008), sub-pixel, and rejection:
-/// left-right check, uniqueness, speckles. What is rejected is kNoMatch. Confidence is the
+/// left-right check, least confidence, speckles. What is rejected is kNoMatch. Confidence is the
 /// estimated probability that the disparity is right within 1 px.
 ///
 /// Integer arithmetic up to the cost volume's minimum: the same result on every machine. Buffers

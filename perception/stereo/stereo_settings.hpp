@@ -15,11 +15,11 @@ struct RobustStereoSettings {
   /// A shorter wavelength than the paper's 4 px and a narrow, round envelope: finer in the
   /// picture, and exactly separable, so also faster.
   V1Settings v1{3.0, 0.30, 1.0, EvenMean::envelope};
-  int small_step_penalty = 20;  ///< P1, in bits: neighbours differ by one pixel of disparity
-  int large_step_penalty = 80;  ///< P2, in bits: by more
-  int left_right_px = 1;        ///< tolerance of the left-right check
-  double uniqueness = 0.02;     ///< the runner-up must be worse by this fraction
-  int speckle_px = 40;          ///< connected pieces smaller than this are dropped
+  int small_step_penalty = 20;    ///< P1, in bits: neighbours differ by one pixel of disparity
+  int large_step_penalty = 80;    ///< P2, in bits: by more
+  int left_right_px = 1;          ///< tolerance of the left-right check
+  double least_confidence = 0.3;  ///< less certain disparities are unknown
+  int speckle_px = 40;            ///< connected pieces smaller than this are dropped
 };
 
 /// Settings of StereoMatcher.
@@ -45,8 +45,8 @@ void visit(V& v, RobustStereoSettings& s) {
   v.integer("small_step_penalty", s.small_step_penalty, {0, 120}, "bits, for a step of one pixel");
   v.integer("large_step_penalty", s.large_step_penalty, {1, 120}, "bits, for a larger step");
   v.integer("left_right", s.left_right_px, {0, 8}, "pixels that left and right may disagree by");
-  v.number("uniqueness", s.uniqueness, Unit::fraction, {0.0, 1.0},
-           "the runner-up must be worse by");
+  v.number("least_confidence", s.least_confidence, Unit::fraction, {0.0, 1.0},
+           "less certain disparities are unknown");
   v.integer("speckle", s.speckle_px, {0, 2000}, "smaller connected pieces are dropped, pixels");
 }
 

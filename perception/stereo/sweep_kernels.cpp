@@ -84,6 +84,7 @@ void SweepThree(const SweepStep& s, const ThreePaths& p) {
   for (int x = 0; x < s.width; x += step) {
     Path paths[3];
     V8 results[3];
+    HWY_UNROLL(3)
     for (int k = 0; k < 3; ++k) {
       const auto direction = static_cast<std::size_t>(k);
       paths[k].Start(p.before[direction], p.here[direction], x, k - 1, large_penalty);
@@ -91,6 +92,7 @@ void SweepThree(const SweepStep& s, const ThreePaths& p) {
     for (int d = 0; d < s.disparities; ++d) {
       const V8 cost = hn::LoadU(d8, s.costs + d * s.stride + x);
       const bool last = d + 1 == s.disparities;
+      HWY_UNROLL(3)
       for (int k = 0; k < 3; ++k) {
         const V8 above =
             last ? hn::Set(d8, 255) : hn::LoadU(d8, paths[k].from + (d + 1) * s.stride);
@@ -99,6 +101,7 @@ void SweepThree(const SweepStep& s, const ThreePaths& p) {
       }
       AddToSums(results, p.sums + d * p.sum_stride + x, p.first);
     }
+    HWY_UNROLL(3)
     for (int k = 0; k < 3; ++k) {
       hn::StoreU(paths[k].smallest, d8, p.here[static_cast<std::size_t>(k)].smallest + x);
     }
@@ -129,6 +132,29 @@ void SweepStraight(const SweepStep& s, const StraightPath& p) {
   }
 }
 
+#if HWY_TARGET != HWY_SCALAR
+/// 16x16 bytes; writes the first `count` columns as rows.
+HWY_INLINE void TurnBlock(const std::uint8_t* const* from, int count, std::uint8_t* HWY_RESTRICT to,
+                          std::ptrdiff_t to_line) {
+  const hn::CappedTag<std::uint8_t, 16> d8;
+  hn::Vec<decltype(d8)> rows[16], shuffled[16];
+  HWY_UNROLL(16)
+  for (int k = 0; k < 16; ++k) rows[k] = hn::LoadU(d8, from[k]);
+  // Four perfect shuffles transpose.
+  HWY_UNROLL(4)
+  for (int round = 0; round < 4; ++round) {
+    HWY_UNROLL(8)
+    for (int k = 0; k < 8; ++k) {
+      shuffled[2 * k] = hn::InterleaveLower(d8, rows[k], rows[k + 8]);
+      shuffled[2 * k + 1] = hn::InterleaveUpper(d8, rows[k], rows[k + 8]);
+    }
+    HWY_UNROLL(16)
+    for (int k = 0; k < 16; ++k) rows[k] = shuffled[k];
+  }
+  for (int k = 0; k < count; ++k) hn::StoreU(rows[k], d8, to + k * to_line);
+}
+#endif
+
 /// [row][disparity][column] to [column][disparity][row], or back, in blocks of 16x16.
 void Turn(const std::uint8_t* HWY_RESTRICT from, std::ptrdiff_t from_line, int from_stride,
           std::uint8_t* HWY_RESTRICT to, std::ptrdiff_t to_line, int to_stride,
@@ -142,27 +168,19 @@ void Turn(const std::uint8_t* HWY_RESTRICT from, std::ptrdiff_t from_line, int f
     }
   }
 #else
-  const hn::CappedTag<std::uint8_t, 16> d8;
-  for (int y = 0; y < shape.lines; y += 16) {
+  // 64 lines at a time: whole cache lines are written, and what is read stays in the cache.
+  for (int block = 0; block < shape.lines; block += 64) {
     for (int d = 0; d < shape.disparities; ++d) {
       for (int x = 0; x < shape.width; x += 16) {
-        hn::Vec<decltype(d8)> rows[16], shuffled[16];
-        // Beyond the last line the last one is read again; what it gives is never used.
-        for (int k = 0; k < 16; ++k) {
-          const int line = HWY_MIN(y + k, shape.lines - 1);
-          rows[k] = hn::LoadU(d8, from + line * from_line + d * from_stride + x);
-        }
-        // Four perfect shuffles transpose a block of 16x16.
-        for (int round = 0; round < 4; ++round) {
-          for (int k = 0; k < 8; ++k) {
-            shuffled[2 * k] = hn::InterleaveLower(d8, rows[k], rows[k + 8]);
-            shuffled[2 * k + 1] = hn::InterleaveUpper(d8, rows[k], rows[k + 8]);
+        for (int y = block; y < HWY_MIN(block + 64, shape.lines); y += 16) {
+          // Beyond the last line the last one is read again; what it gives is never used.
+          const std::uint8_t* rows[16];
+          HWY_UNROLL(16)
+          for (int k = 0; k < 16; ++k) {
+            rows[k] = from + HWY_MIN(y + k, shape.lines - 1) * from_line + d * from_stride + x;
           }
-          for (int k = 0; k < 16; ++k) rows[k] = shuffled[k];
-        }
-        const int count = HWY_MIN(16, shape.width - x);
-        for (int k = 0; k < count; ++k) {
-          hn::StoreU(rows[k], d8, to + (x + k) * to_line + d * to_stride + y);
+          TurnBlock(rows, HWY_MIN(16, shape.width - x), to + x * to_line + d * to_stride + y,
+                    to_line);
         }
       }
     }

@@ -64,6 +64,7 @@ class Walker {
     double speed_m_s = 0.0;
   };
   [[nodiscard]] Point2 point_on_way(double along_m) const;
+  [[nodiscard]] Point2 target_on_way(const Surroundings& around) const;
   void find_progress();
   [[nodiscard]] bool at_a_door(Point2 place) const;
   [[nodiscard]] double cost(const Choice& choice, Point2 target, const Surroundings& around) const;

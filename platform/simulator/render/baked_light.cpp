@@ -25,7 +25,7 @@ class ShadowRays {
     if (++count_ == Packet::kSize) flush();
   }
   void flush() {
-    for (unsigned i = count_; i < Packet::kSize; ++i) packet_.valid[i] = 0;
+    for (unsigned i = count_; i < Packet::kSize; ++i) packet_.clear(i);
     if (count_ > 0) tracer_.occlude(packet_);
     for (unsigned i = 0; i < count_; ++i) {
       if (packet_.rays.ray.tfar[i] > 0.0F) arrived_(texel_[i], light_[i]);

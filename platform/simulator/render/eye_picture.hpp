@@ -7,16 +7,23 @@
 
 namespace striate::simulator::render {
 
-/// The light that falls on one sensor: one ray a pixel, four along edges, and the mirror image in
+/// The light that falls on one sensor: one ray a pixel, three along edges, and the mirror image in
 /// the floor at half the resolution, blurred as a worn floor blurs it.
 class EyePicture {
  public:
-  EyePicture(const Tracer& tracer, const Shader& shader) : tracer_(tracer), shader_(shader) {}
+  EyePicture(const Tracer& tracer, const Shader& shader, const People& people)
+      : tracer_(tracer), shader_(shader), people_(people) {}
 
   /// Linear light, row by row, blue green red in lanes 0..2. Valid until the next call.
   const std::vector<V4>& render(const View& view, bool smooth_edges);
 
  private:
+  /// Part of the picture that a person may cover, in pixels.
+  struct Frame {
+    float left, right, top, bottom;
+  };
+  void frame_people(const View& view);
+  [[nodiscard]] bool people_in(int left, int top, int right, int bottom) const;
   void trace_all(const View& view);
   void trace_tile(const View& view, int left, int top);
   [[nodiscard]] std::vector<int> edges(const View& view);
@@ -28,6 +35,8 @@ class EyePicture {
 
   const Tracer& tracer_;
   const Shader& shader_;
+  const People& people_;
+  std::vector<Frame> frames_;
   std::vector<V4> light_;
   std::vector<int> group_;
   std::vector<float> brightness_;

@@ -174,6 +174,7 @@ class Body {
   void shade_around() {
     Occluder shadow;
     shadow.foot = world({});
+    shadow.head = world({0.0F, 0.0F, 1.8F});
     shadow.balls = {{{world(feet_[0]), 0.1F},
                      {world(feet_[1]), 0.1F},
                      {world({0.0F, 0.0F, 0.45F}), 0.16F},

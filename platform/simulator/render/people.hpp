@@ -13,8 +13,9 @@ struct Occluder {
     Vec3 centre;
     float radius_m = 0.0F;
   };
-  static constexpr float kReach_m = 1.5F;  ///< beyond this, nothing is darkened
+  static constexpr float kReach_m = 1.2F;  ///< beyond this, nothing is darkened
   Vec3 foot;
+  Vec3 head;
   std::array<Ball, 5> balls;
 };
 

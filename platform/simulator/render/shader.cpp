@@ -40,8 +40,9 @@ Shader::Look Shader::look_at(const Packet& packet, unsigned lane, float spread,
   const float facing = std::abs(dot(direction, patch.normal)) / speed;
   const float pixel_m = (packet.rays.ray.tfar[lane] * speed + before_m) * spread;
   const float texels = pixel_m * patch.texels_per_m;
-  look.level = &look.material->texture->level(
-      0.5F * fast_log2(texels * texels / std::max(facing, 0.03F) + 1e-9F));
+  const float level = 0.5F * fast_log2(texels * texels / std::max(facing, 0.03F) + 1e-9F);
+  look.level = {&look.material->texture->level(level - 0.35F),
+                &look.material->texture->level(level + 0.15F)};
   return look;
 }
 
@@ -55,10 +56,12 @@ float Shader::hidden_by_people(Vec3 place, Vec3 normal) const {
       const Vec3 way = ball.centre - place;
       const float r2 = ball.radius_m * ball.radius_m;
       const float d2 = std::max(dot(way, way), r2);
-      const float d = std::sqrt(d2);
-      // Fades out towards the reach, so that its border is not seen.
-      const float near = std::max(0.0F, 1.0F - d2 / (Occluder::kReach_m * Occluder::kReach_m));
-      open *= 1.0F - near * std::min(0.85F, std::max(0.0F, dot(way, normal) / d) * r2 / d2);
+      // Cosine times the ball's solid angle; fades out towards the reach, whose border is not seen.
+      const float hidden =
+          std::min(0.85F, std::max(0.0F, dot(way, normal)) * r2 / (d2 * std::sqrt(d2)));
+      open *=
+          1.0F -
+          hidden * std::max(0.0F, 1.0F - d2 * (1.0F / (Occluder::kReach_m * Occluder::kReach_m)));
     }
   }
   return open;
@@ -95,7 +98,7 @@ void Shader::cast_to_sun(const Packet& packet, const std::array<Vec3, Packet::kS
                          std::array<float, Packet::kSize>& sun) const {
   Packet shadow;
   for (unsigned i = 0; i < Packet::kSize; ++i) {
-    shadow.valid[i] = 0;
+    shadow.clear(i);
     if (sun[i] > 0.0F)
       shadow.set(i, packet.place(i) + normal[i] * 0.003F, stage_.sun->towards, 0.001F, 1e4F);
   }
@@ -133,8 +136,8 @@ void Shader::shade(const Packet& packet, float spread, const float* before_m, Sh
     }
     const float u = packet.rays.hit.u[i];
     const float v = packet.rays.hit.v[i];
-    albedo[i] = look.material->texture->sample(*look.level, Patch::at(patch.s, u, v),
-                                               Patch::at(patch.t, u, v));
+    albedo[i] = look.material->texture->sample(*look.level[(i ^ (i >> 2U)) & 1U],
+                                               Patch::at(patch.s, u, v), Patch::at(patch.t, u, v));
     V4 light = light_at(patch, look.light, u, v);
     if (look.sun > 0.0F && light[3] > 0.0F) {
       sun[i] = look.sun;

@@ -31,7 +31,8 @@ class Shader {
   struct Look {
     const Patch* patch = nullptr;
     const Material* material = nullptr;
-    const Texture::Level* level = nullptr;
+    /// Two mip levels a little apart, used in turn: no border is seen where the level changes.
+    std::array<const Texture::Level*, 2> level{};
     const V4* light = nullptr;
     float sun = 0.0F;  ///< irradiance where it shines on the patch
     bool person = false;
