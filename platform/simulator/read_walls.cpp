@@ -31,7 +31,7 @@ void read_stretch(const Node& node, World& world, config::Mistakes& mistakes) {
   entry.require_stretch(wall.from_m, wall.to_m);
   if (entry.map().require("material")) entry.map().text("material", wall.material);
   entry.finish();
-  check_material(entry, "material", wall.material, wall_materials());
+  check_material(entry, "material", wall.material, shipped_materials());
   if (entry.sound()) world.walls.push_back(wall);
 }
 
@@ -131,8 +131,8 @@ void read_surface(MapReader& root, const std::string& key, std::string& material
 
 void read_walls(MapReader& root, World& world) {
   config::Mistakes& mistakes = root.mistakes();
-  read_surface(root, "wall_material", world.wall_material, wall_materials(), world);
-  read_surface(root, "floor_material", world.floor_material, floor_materials(), world);
+  read_surface(root, "wall_material", world.wall_material, shipped_materials(), world);
+  read_surface(root, "floor_material", world.floor_material, shipped_materials(), world);
   for_each_entry(root, "walls", [&](const Node& node) { read_stretch(node, world, mistakes); });
   for_each_entry(root, "doors", [&](const Node& node) { read_door(node, world, mistakes); });
   for_each_entry(root, "windows", [&](const Node& node) { read_window(node, world, mistakes); });

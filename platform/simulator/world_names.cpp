@@ -3,21 +3,29 @@
 #include <fmt/ranges.h>
 
 #include "config/quantity.hpp"
+#include "platform/simulator/render/paint.hpp"
 
 namespace striate::simulator {
 
-const std::vector<std::string>& wall_materials() {
-  static const std::vector<std::string> names{"plaster", "blank_plaster", "brick"};
+namespace {
+
+template <class Painted>
+std::vector<std::string> names_of(const std::vector<Painted>& painted) {
+  std::vector<std::string> names;
+  names.reserve(painted.size());
+  for (const Painted& one : painted) names.push_back(one.name);
   return names;
 }
 
-const std::vector<std::string>& floor_materials() {
-  static const std::vector<std::string> names{"linoleum"};
+}  // namespace
+
+const std::vector<std::string>& shipped_materials() {
+  static const std::vector<std::string> names = names_of(render::surfaces());
   return names;
 }
 
 const std::vector<std::string>& shipped_pictures() {
-  static const std::vector<std::string> names{"poster_fish"};
+  static const std::vector<std::string> names = names_of(render::pictures());
   return names;
 }
 

@@ -6,8 +6,7 @@
 /// The names that a world file may use for what ships with the program.
 namespace striate::simulator {
 
-[[nodiscard]] const std::vector<std::string>& wall_materials();
-[[nodiscard]] const std::vector<std::string>& floor_materials();
+[[nodiscard]] const std::vector<std::string>& shipped_materials();
 [[nodiscard]] const std::vector<std::string>& shipped_pictures();
 /// In the order of ObstacleKind.
 [[nodiscard]] const std::vector<std::string>& obstacle_kinds();
