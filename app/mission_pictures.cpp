@@ -9,9 +9,9 @@
 
 #include "app/pictures/canvas.hpp"
 #include "app/pictures/disparity_colours.hpp"
-#include "app/pictures/draw_percept.hpp"
 #include "app/pictures/map_picture.hpp"
 #include "app/pictures/plan_picture.hpp"
+#include "app/pictures/scene_pictures.hpp"
 
 namespace striate {
 namespace {
@@ -51,17 +51,16 @@ cv::Mat3b overview_of(const Mission& mission) {
   const int map_left = kLarge.width + kSmall.width + 2 * kGap;
   cv::Mat3b page(kLarge.height + kCaption, map_left + kMapSide);
   page.setTo(pictures::kBackground);
-  place(page,
-        pictures::draw_obstacles(trace.senses.stereo, trace.percept, mission.body().description(),
-                                 kLarge),
-        {0, 0}, "left eye: free floor, obstacles");
+  place(page, pictures::draw_obstacles(trace.senses.stereo, trace.percept, kLarge), {0, 0},
+        "left eye: free floor, obstacles");
   const DisparityMap& disparity = trace.percept.disparity;
   place(page, pictures::colour_disparity(disparity, pictures::scale_for(disparity), kSmall),
         {kLarge.width + kGap, 0}, "disparity");
-  place(page, pictures::draw_saliency(trace.senses.stereo.left, trace.percept.saliency, kSmall),
+  place(page, pictures::draw_saliency(trace.senses.stereo, trace.percept, kSmall),
         {kLarge.width + kGap, kSmall.height + 6}, "saliency");
   place(page,
-        draw_map(mission.cycle().memory(), mission.body().description(), mission.trail(), kMapSide),
+        pictures::draw_map(mission.cycle().memory(), mission.body().description(), mission.trail(),
+                           kMapSide),
         {map_left, 0}, "short-term memory, 10 x 10 m");
   pictures::write(page, caption(mission), {10, kLarge.height + 26}, pictures::kInk, 1.1);
   return page;
@@ -93,8 +92,8 @@ void MissionPictures::finish(const Mission& mission, const RunResult& result) co
   const std::string title = fmt::format(
       "{}, seed {}: {} after {:.1f} m and {:.0f} s, nearest pass {:.2f} m", mission.world().name,
       result.seed, result.outcome, result.distance_m, result.duration_s, result.nearest_pass_m);
-  save(folder_ + "/plan.png",
-       draw_plan(mission.world(), mission.plan(), mission.body().judge(), &mission.light(), title));
+  save(folder_ + "/plan.png", pictures::draw_plan(mission.world(), mission.plan(),
+                                                  mission.body().judge(), &mission.light(), title));
 }
 
 }  // namespace striate

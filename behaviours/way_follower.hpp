@@ -68,6 +68,7 @@ class WayFollower {
   Wish back(const ShortTermMemory& memory);
   void enter(State state, const ShortTermMemory& memory);
   [[nodiscard]] bool way_is_open() const;
+  [[nodiscard]] double least_margin_m() const;
   [[nodiscard]] double since_entered_s(const ShortTermMemory& memory) const;
   void aim_head(const ShortTermMemory& memory, const Pace& pace, Wish& wish);
 

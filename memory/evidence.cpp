@@ -10,7 +10,9 @@ constexpr double kStep_m = LocalGrid::kCell_m;
 constexpr double kStartled_s = 3.0;    // free so recently that something must have come
 constexpr float kSurelyFree = -1.2F;   // log-odds
 constexpr double kMotionSeen_m = 3.5;  // farther off range noise looks like motion
-constexpr float kCalming = 0.94F;      // per look: what stays is no longer moving
+constexpr float kCalmingOn = 0.99F;
+constexpr float kSettled = 0.35F;
+constexpr float kCalming = 0.94F;  // per look: what stays is no longer moving
 
 std::size_t slot(GridCell cell) {
   return static_cast<std::size_t>(cell.y & (LocalGrid::kSide - 1)) * LocalGrid::kSide +
@@ -116,7 +118,10 @@ void EvidenceWriter::settle(GridCell cell, const Mass& mass, const Look& look,
   if (occupied > 0.3 && change > 0.0) {
     const bool startled = before < kSurelyFree && distance_m < kMotionSeen_m &&
                           to_seconds(look.stamp - grid.last_seen(cell)) < kStartled_s;
-    grid.set_moving(cell, startled ? 1.0F : kCalming * grid.moving(cell));
+    const float moved = grid.moving(cell);
+    // What has moved may move on: it calms quickly, but not wholly.
+    const float calm = (moved > kSettled ? kCalming : kCalmingOn) * moved;
+    grid.set_moving(cell, startled ? 1.0F : calm);
     // Something came where floor was seen: the old free evidence is void.
     if (startled) grid.add(cell, -before, look.stamp);
   }

@@ -29,8 +29,16 @@ void ShortTermMemory::update(const Senses& senses, const Percept& percept) {
   salient_.attend(head_.pan_rad, now_, now_ - before);
   if (now_ - fitted_ >= kFitEvery) {
     fitted_ = now_;
-    corridor_.see(wall_fitter_.fit(grid_, pose_, corridor_.axis_rad()));
+    fit_walls();
   }
+}
+
+void ShortTermMemory::fit_walls() {
+  const WallFit things = wall_fitter_.fit(grid_, pose_, corridor_.axis_rad());
+  corridor_.see(things, CorridorMemory::Source::things);
+  if (things.left && things.right) return;
+  corridor_.see(wall_fitter_.fit_edges(grid_, pose_, corridor_.axis_rad(), corridor_.width_m()),
+                CorridorMemory::Source::edges);
 }
 
 void ShortTermMemory::feel(const Senses& senses) {

@@ -17,6 +17,7 @@ constexpr double kTurn_rad = 0.0131;  // 0.75 degrees
 constexpr double kLeastLength_m = 1.5;
 constexpr double kLeastScore = 24.0;  // cells in line
 constexpr std::size_t kMostCells = 4096;
+constexpr double kWidthTolerance_m = 0.35;
 
 struct Bin {
   float cells = 0.0F;
@@ -24,19 +25,32 @@ struct Bin {
   float most_m = -1e3F;
 };
 
+bool still_thing(const LocalGrid& grid, GridCell cell) {
+  return grid.state(cell) == FloorState::occupied && grid.moving(cell) <= 0.2F;
+}
+
+bool edge_of_floor(const LocalGrid& grid, GridCell cell) {
+  if (grid.state(cell) == FloorState::free) return false;
+  return grid.state({cell.x + 1, cell.y}) == FloorState::free ||
+         grid.state({cell.x - 1, cell.y}) == FloorState::free ||
+         grid.state({cell.x, cell.y + 1}) == FloorState::free ||
+         grid.state({cell.x, cell.y - 1}) == FloorState::free;
+}
+
 }  // namespace
 
 WallFitter::WallFitter() {
   standing_.reserve(kMostCells);
 }
 
-void WallFitter::gather(const LocalGrid& grid, const Pose2& robot, double expected_rad) {
+void WallFitter::gather(From from, const LocalGrid& grid, const Pose2& robot, double expected_rad) {
   standing_.clear();
   const Pose2 frame{robot.x_m, robot.y_m, expected_rad};
   const GridCell first = grid.first();
   for (int y = first.y; y < first.y + LocalGrid::kSide; ++y) {
     for (int x = first.x; x < first.x + LocalGrid::kSide; ++x) {
-      if (grid.state({x, y}) != FloorState::occupied || grid.moving({x, y}) > 0.2F) continue;
+      if (from == From::things ? !still_thing(grid, {x, y}) : !edge_of_floor(grid, {x, y}))
+        continue;
       const Point2 place = to_inner(frame, LocalGrid::centre_of({x, y}));
       if (std::abs(place.x_m) > kAhead_m || standing_.size() >= kMostCells) continue;
       standing_.push_back(place);
@@ -71,7 +85,21 @@ WallFitter::Line WallFitter::strongest(double turn_rad, double side) const {
 }
 
 WallFit WallFitter::fit(const LocalGrid& grid, const Pose2& robot, double expected_rad) {
-  gather(grid, robot, expected_rad);
+  gather(From::things, grid, robot, expected_rad);
+  return fit_gathered(expected_rad);
+}
+
+WallFit WallFitter::fit_edges(const LocalGrid& grid, const Pose2& robot, double expected_rad,
+                              double width_m) {
+  gather(From::edges, grid, robot, expected_rad);
+  WallFit fit = fit_gathered(expected_rad);
+  const bool plausible =
+      fit.left && fit.right && std::abs(fit.left_m + fit.right_m - width_m) < kWidthTolerance_m;
+  if (!plausible) fit.valid = false;
+  return fit;
+}
+
+WallFit WallFitter::fit_gathered(double expected_rad) const {
   WallFit fit;
   if (static_cast<double>(standing_.size()) < kLeastScore) return fit;
   std::array<double, 2 * kTurns + 1> scores{};

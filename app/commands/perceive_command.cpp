@@ -6,13 +6,8 @@
 namespace striate {
 
 void add_perceive_command(CLI::App& app, int& exit_code) {
-  struct Options {
-    PerceiveOptions perceive;
-    std::string setting = "robust";
-    double tilt_deg = 0.0;
-  };
-  auto options = std::make_shared<Options>();
-  PerceiveOptions& given = options->perceive;
+  auto options = std::make_shared<PerceiveOptions>();
+  PerceiveOptions& given = *options;
   CLI::App* command = app.add_subcommand(
       "perceive",
       "Shows what the vision makes of a picture pair, or of one picture: disparity.pfm,\n"
@@ -22,10 +17,10 @@ void add_perceive_command(CLI::App& app, int& exit_code) {
   command->add_option("--left", given.left, "the left picture")->required();
   command->add_option("--right", given.right, "the right picture, rectified like the left");
   command->add_option("--out", given.out, "folder for what comes out")->required();
-  command->add_option("--setting", options->setting, "paper or robust")
+  command->add_option("--setting", given.setting, "paper or robust")
       ->check(CLI::IsMember({"paper", "robust"}))
       ->capture_default_str();
-  command->add_option("--width", given.width, "working width in px")
+  command->add_option("--width", given.width_px, "working width in px")
       ->check(CLI::Range(32, 640))
       ->capture_default_str();
   command
@@ -41,14 +36,9 @@ void add_perceive_command(CLI::App& app, int& exit_code) {
   command->add_option("--centre-v-px", given.centre_v_px, "principal point; else the middle");
   command->add_option("--camera-height-m", given.camera_height_m,
                       "of the lens above the floor; without it obstacles are near blobs");
-  command->add_option("--tilt-deg", options->tilt_deg, "of the camera, up positive")
+  command->add_option("--tilt-deg", given.tilt_deg, "of the camera, up positive")
       ->check(CLI::Range(-60.0, 60.0));
-  command->callback([options, &exit_code] {
-    options->perceive.setting =
-        options->setting == "paper" ? StereoSetting::paper : StereoSetting::robust;
-    options->perceive.camera_tilt_rad = radians(options->tilt_deg);
-    exit_code = perceive(options->perceive);
-  });
+  command->callback([options, &exit_code] { exit_code = perceive(*options); });
 }
 
 }  // namespace striate

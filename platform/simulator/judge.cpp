@@ -79,7 +79,11 @@ Judge::Nearest Judge::nearest_thing(const People& people) const {
   const double reach = bounding_radius_m(footprint_, {});
   Nearest nearest;
   for (const StaticShape& thing : things_) {
-    if (distance_m(middle, thing.middle) - thing.bounding_m - reach > nearest.clearance_m) continue;
+    // A wall is long: its middle tells nothing, the line itself does.
+    const std::vector<Point2>& corners = thing.shape.corners;
+    const double away = corners.size() == 2 ? distance_to_segment_m(middle, corners[0], corners[1])
+                                            : distance_m(middle, thing.middle) - thing.bounding_m;
+    if (away - reach > nearest.clearance_m) continue;
     const double clearance = distance_m(robot, thing.shape);
     if (clearance < nearest.clearance_m) nearest = {clearance, thing.name, false};
   }

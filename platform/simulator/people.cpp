@@ -12,7 +12,9 @@ namespace {
 
 constexpr double kRoomM = kPersonRadius_m + 0.02;
 constexpr std::uint64_t kStepsPerDecision = 10;
-constexpr double kAppearM = 4.0;  ///< nearer to the robot nobody appears out of nothing
+constexpr double kPatienceS = 4.0;  ///< held up for so long, a walker makes room
+constexpr double kYieldS = 8.0;     ///< from going back to trying again
+constexpr double kAppearM = 4.0;    ///< nearer to the robot nobody appears out of nothing
 
 /// A way through the corridor's points that goes round what stands there; where a leg has no free
 /// way its end is left out.
@@ -135,40 +137,74 @@ void People::decide(double now_s) {
 }
 
 void People::decide_walk(Walking& walking, double now_s) {
-  Walker& walker = walking.walker;
-  if (walking.done) return;
-  if (!walker.present()) {
-    const Point2& from = walking.way.front();
-    bool crowded = false;
-    for (std::size_t slot = 0; slot < slots_.size(); ++slot) {
-      const Walker* other = walker_of(slot);
-      crowded = crowded || (other->present() && distance_m(from, other->at()) < 1.0);
+  if (walking.done || (!walking.walker.present() && !appear(walking, now_s))) return;
+  if (walking.walker.held_up_s() > kPatienceS) yield(walking, now_s);
+  if (walking.walker.arrived()) {
+    if (!walking.yielding) {
+      end_of_way(walking);
+    } else if (now_s - walking.yielded_at_s > kYieldS) {
+      walking.yielding = false;
+      walking.walker.go(walking.after, walking.speed_m_s, walking.after_doors);
     }
-    const Point2 robot{around_.robot.x_m, around_.robot.y_m};
-    if (now_s < walking.from_s || crowded || distance_m(from, robot) < kAppearM) return;
-    const Point2& next = walking.way[1];
-    walker.appear({from.x_m, from.y_m, std::atan2(next.y_m - from.y_m, next.x_m - from.x_m)},
-                  walking.look);
-    walker.go(walking.way, walking.speed_m_s);
   }
-  if (walker.arrived()) {
-    if (walking.leaving) {
-      walker.vanish();
-      walking.done = true;
+  if (walking.walker.present()) walking.walker.decide(around_);
+}
+
+bool People::appear(Walking& walking, double now_s) {
+  const Point2& from = walking.way.front();
+  if (now_s < walking.from_s) return false;
+  if (distance_m(from, {around_.robot.x_m, around_.robot.y_m}) < kAppearM) return false;
+  for (std::size_t slot = 0; slot < slots_.size(); ++slot) {
+    const Walker* other = walker_of(slot);
+    if (other->present() && distance_m(from, other->at()) < 1.0) return false;
+  }
+  const Point2& next = walking.way[1];
+  walking.walker.appear({from.x_m, from.y_m, std::atan2(next.y_m - from.y_m, next.x_m - from.x_m)},
+                        walking.look);
+  walking.walker.go(walking.way, walking.speed_m_s);
+  return true;
+}
+
+void People::end_of_way(Walking& walking) {
+  Walker& walker = walking.walker;
+  if (walking.leaving) {
+    walker.vanish();
+    walking.done = true;
+  } else if (walking.repeat) {
+    std::reverse(walking.way.begin(), walking.way.end());
+    walker.go(walking.way, walking.speed_m_s);
+  } else if (auto out = way_out(walker.at(), doors_, map_, 20.0)) {
+    walking.leaving = true;
+    walking.after_doors = {out->door};
+    walker.go(std::move(out->way), walking.speed_m_s, walking.after_doors);
+  } else {  // he stays where his way ends
+    walking.done = true;
+    walker.stand();
+  }
+}
+
+/// Robot and person stand before each other and neither can pass: the person goes back a little to
+/// the side, waits, and tries again.
+void People::yield(Walking& walking, double now_s) {
+  Walker& walker = walking.walker;
+  const Point2 here = walker.at();
+  const Pose2 robot = plan_.along(around_.robot);
+  const Pose2 me = plan_.along({here.x_m, here.y_m, 0.0});
+  if (!walking.yielding) walking.after = walker.rest_of_way();
+  if (walking.after.size() < 2) return;
+  const double away = me.x_m >= robot.x_m ? 1.0 : -1.0;
+  for (const double back : {2.5, 1.5, 0.8}) {
+    for (const double left : {0.8, -0.8, 0.5, -0.5}) {
+      const Pose2 pose = plan_.at(me.x_m + away * back, me.y_m >= 0.0 ? left : -left);
+      if (map_.at({pose.x_m, pose.y_m}) < kRoomM) continue;
+      auto way = map_.way(here, {pose.x_m, pose.y_m}, kRoomM);
+      if (!way) continue;
+      walking.yielding = true;
+      walking.yielded_at_s = now_s;
+      walker.go(std::move(*way), walking.speed_m_s);
       return;
     }
-    if (walking.repeat) {
-      std::reverse(walking.way.begin(), walking.way.end());
-      walker.go(walking.way, walking.speed_m_s);
-    } else if (auto out = way_out(walker.at(), doors_, map_, 20.0)) {
-      walking.leaving = true;
-      walker.go(std::move(out->way), walking.speed_m_s, {out->door});
-    } else {
-      walking.done = true;  // he stays where his way ends
-      walker.stand();
-    }
   }
-  walker.decide(around_);
 }
 
 std::string People::name(std::size_t slot) const {

@@ -44,6 +44,10 @@ class People {
     double from_s = 0.0;
     bool repeat = false;
     bool leaving = false;
+    bool yielding = false;  ///< went back a little to let the robot pass
+    double yielded_at_s = -1e9;
+    std::vector<Point2> after;  ///< the way that he goes on with after yielding
+    std::vector<Point2> after_doors;
     bool done = false;
     int look = 0;
     Walker walker;
@@ -51,6 +55,9 @@ class People {
   void add_walks(std::uint64_t seed);
   void decide(double now_s);
   void decide_walk(Walking& walking, double now_s);
+  [[nodiscard]] bool appear(Walking& walking, double now_s);
+  void end_of_way(Walking& walking);
+  void yield(Walking& walking, double now_s);
   void look_round(const RobotMotion& robot);
   void see_others(std::size_t slot);
   [[nodiscard]] Walker* walker_of(std::size_t slot);

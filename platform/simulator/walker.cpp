@@ -12,11 +12,14 @@ namespace {
 
 constexpr double kR = kPersonRadius_m;
 constexpr double kHandM = 0.12;      ///< nearer to the robot nobody steps of his own will
-constexpr double kComfortM = 0.45;   ///< nearer to the robot nobody likes to be
+constexpr double kComfortM = 0.32;   ///< nearer to the robot nobody likes to be
 constexpr double kFriendlyM = 0.15;  ///< likewise for other people
+constexpr double kEager = 2.5;       ///< how much a metre of way counts against comfort
 constexpr double kAcceleration_m_s2 = 3.0;
 constexpr double kTurning_rad_s = 5.0;
 constexpr double kLookAheadM = 1.0;  ///< on the way, for where to go
+constexpr double kSeesRobotM = 2.5;  ///< on his way, from where he makes for its side
+constexpr double kBesideM = 0.72;    ///< from its middle when passing
 constexpr double kTwoStepsM = 1.4;   ///< length of a stride: both legs once
 constexpr double kDoorReachM = 0.8;
 /// Looking ahead in time, at these moments.
@@ -79,6 +82,17 @@ Point2 Walker::point_on_way(double along_m) const {
   return way_.back();
 }
 
+std::vector<Point2> Walker::rest_of_way() const {
+  std::vector<Point2> rest;
+  double along = 0.0;
+  for (std::size_t i = 0; i < way_.size(); ++i) {
+    if (i > 0) along += distance_m(way_[i - 1], way_[i]);
+    if (along > progress_m_) rest.push_back(way_[i]);
+  }
+  if (!rest.empty()) rest.insert(rest.begin(), at());
+  return rest;
+}
+
 void Walker::find_progress() {
   // He never goes back: the nearest place on the next metre counts.
   double best = progress_m_;
@@ -94,6 +108,29 @@ void Walker::find_progress() {
   progress_m_ = best;
 }
 
+Point2 Walker::target_on_way(const Surroundings& around) const {
+  const Point2 here = point_on_way(progress_m_);
+  const Point2 target = point_on_way(std::min(progress_m_ + kLookAheadM, length_m_));
+  if (distance_m(here, target) < 0.05) return target;
+  // Where the robot is in the way he makes early for a place beside it, on the side with room.
+  const Pose2 way{state_.pose.x_m, state_.pose.y_m,
+                  std::atan2(target.y_m - here.y_m, target.x_m - here.x_m)};
+  const Point2 robot = to_inner(way, Point2{around.robot.x_m, around.robot.y_m});
+  const bool in_the_way =
+      distance_to_segment_m({around.robot.x_m, around.robot.y_m}, here,
+                            point_on_way(std::min(progress_m_ + kSeesRobotM, length_m_))) <
+      kBesideM;
+  if (!in_the_way || robot.x_m < -0.4) return target;
+  const double ahead = robot.x_m > 1.2 ? robot.x_m - 0.7 : std::max(0.5, robot.x_m + 0.2);
+  const double near_side = robot.y_m > 0.0 ? -1.0 : 1.0;
+  for (const double side : {near_side, -near_side}) {
+    const Point2 beside = to_outer(way, Point2{robot.x_m, robot.y_m + side * kBesideM});
+    if (around.map->at(beside) < kR + 0.02) continue;
+    return to_outer(way, Point2{ahead, robot.y_m + side * kBesideM});
+  }
+  return target;
+}
+
 bool Walker::at_a_door(Point2 place) const {
   return std::any_of(doors_.begin(), doors_.end(),
                      [&](const Point2& door) { return distance_m(place, door) < kDoorReachM; });
@@ -104,7 +141,7 @@ void Walker::decide(const Surroundings& around) {
   wanted_y_m_s_ = 0.0;
   if (arrived()) return;
   find_progress();
-  const Point2 target = point_on_way(std::min(progress_m_ + kLookAheadM, length_m_));
+  const Point2 target = target_on_way(around);
   const double ahead = std::atan2(target.y_m - state_.pose.y_m, target.x_m - state_.pose.x_m);
   const double speed = std::min(speed_m_s_, 0.3 + 1.5 * distance_m(at(), way_.back()));
   Choice best{ahead, 0.0};
@@ -135,31 +172,34 @@ double Walker::cost(const Choice& choice, Point2 target, const Surroundings& aro
     const double way = std::min(choice.speed_m_s * moment, reach);
     place = {state_.pose.x_m + way * std::cos(choice.direction_rad),
              state_.pose.y_m + way * std::sin(choice.direction_rad)};
-    sum += cost_at(place, moment, around);
+    // Sooner is better: what is left of the way counts at every moment.
+    sum += cost_at(place, moment, around) + kEager * distance_m(place, target) / kMoments.size();
   }
-  return sum + distance_m(place, target);
+  return sum;
 }
 
 double Walker::cost_at(Point2 place, double after_s, const Surroundings& around) const {
   double sum = 0.0;
   const double urgency = 1.6 - 0.5 * after_s;
+  // Who has waited long makes himself thin.
+  const double comfort = std::max(0.2, 1.0 - 0.2 * held_up_s_);
   if (!at_a_door(place)) {
     const double room = around.map->at(place) - kR;
     if (room < 0.02 && room < around.map->at(at()) - kR - 1e-6) sum += 8.0;
-    if (room < 0.15) sum += 0.5 * (0.15 - room);
+    if (room < 0.12) sum += 0.5 * (0.12 - room);
   }
   const Pose2 robot = predicted(around, after_s);
   if (distance_m(place, {robot.x_m, robot.y_m}) < 1.2) {
     const double room = distance_m(moved(around.footprint, robot), disc(place, kR));
     if (room < kHandM + 0.05) sum += 4.0 * urgency;
-    if (room < kComfortM) sum += 3.0 * urgency * (kComfortM - room);
+    if (room < kComfortM) sum += 2.0 * comfort * urgency * (kComfortM - room);
   }
   for (const Passer& other : around.others) {
     const Point2 then{other.at.x_m + after_s * other.velocity_x_m_s,
                       other.at.y_m + after_s * other.velocity_y_m_s};
     const double room = distance_m(place, then) - 2 * kR;
     if (room < 0.05) sum += 3.0 * urgency;
-    if (room < kFriendlyM) sum += 2.0 * urgency * (kFriendlyM - room);
+    if (room < kFriendlyM) sum += 2.0 * comfort * urgency * (kFriendlyM - room);
   }
   return sum;
 }

@@ -40,6 +40,8 @@ class Walker {
   /// Follows these points from now on. Near `doors` walls do not hold him.
   void go(std::vector<Point2> way, double speed_m_s, std::vector<Point2> doors = {});
   void stand() { way_.clear(); }
+  /// What is left of his way, from where he is; empty where he has none.
+  [[nodiscard]] std::vector<Point2> rest_of_way() const;
 
   /// Chooses where to step next; several times a second.
   void decide(const Surroundings& around);
@@ -62,6 +64,7 @@ class Walker {
     double speed_m_s = 0.0;
   };
   [[nodiscard]] Point2 point_on_way(double along_m) const;
+  [[nodiscard]] Point2 target_on_way(const Surroundings& around) const;
   void find_progress();
   [[nodiscard]] bool at_a_door(Point2 place) const;
   [[nodiscard]] double cost(const Choice& choice, Point2 target, const Surroundings& around) const;

@@ -25,7 +25,7 @@ class ShadowRays {
     if (++count_ == Packet::kSize) flush();
   }
   void flush() {
-    for (unsigned i = count_; i < Packet::kSize; ++i) packet_.valid[i] = 0;
+    for (unsigned i = count_; i < Packet::kSize; ++i) packet_.clear(i);
     if (count_ > 0) tracer_.occlude(packet_);
     for (unsigned i = 0; i < count_; ++i) {
       if (packet_.rays.ray.tfar[i] > 0.0F) arrived_(texel_[i], light_[i]);
@@ -94,19 +94,20 @@ class Baker {
     for (const Patch& patch : stage_.patches) {
       for_texels(patch, [&](int texel, float u, float v) {
         const Vec3 point = place(patch, u, v);
-        for (const Lamp& lamp : stage_.lamps) add_lamp(rays, lamp, patch, point, texel);
+        const Vec3 normal = unit(Patch::at(patch.bend, u, v));
+        for (const Lamp& lamp : stage_.lamps) add_lamp(rays, lamp, normal, point, texel);
         add_sun(rays, patch, {u, v}, texel);
       });
     }
     rays.flush();
   }
 
-  void add_lamp(ShadowRays& rays, const Lamp& lamp, const Patch& patch, Vec3 point, int texel) {
+  void add_lamp(ShadowRays& rays, const Lamp& lamp, Vec3 normal, Vec3 point, int texel) {
     const float away = length(lamp.centre - point);
     if (away > 16.0F) return;
     const int samples = away < 3.5F ? 8 : (away < 7.0F ? 4 : 1);
     for (int k = 0; k < samples; ++k) {
-      const LampSample s = lamp_sample(lamp, point, patch.normal, k, samples);
+      const LampSample s = lamp_sample(lamp, point, normal, k, samples);
       if (s.irradiance < 1e-5F) continue;
       // Ends just before the panel.
       rays.add(point, s.from - point, 0.995F, texel, bgr(0.93F, 1.0F, 0.98F) * splat(s.irradiance));
@@ -135,7 +136,8 @@ class Baker {
         const int i = (texel - patch.light_at) % patch.light_u;
         const int j = (texel - patch.light_at) / patch.light_u;
         if (!carries(patch, i, j)) return;
-        gathered_.push_back(look_around(patch, place(patch, u, v), texel));
+        gathered_.push_back(
+            look_around(unit(Patch::at(patch.bend, u, v)), place(patch, u, v), texel));
       });
     }
   }
@@ -143,10 +145,9 @@ class Baker {
     return (patch.light_u == 2 || i % 2 == 0) && (patch.light_v == 2 || j % 2 == 0);
   }
 
-  Gathered look_around(const Patch& patch, Vec3 point, int texel) {
+  Gathered look_around(Vec3 n, Vec3 point, int texel) {
     Gathered found;
     found.texel = texel;
-    const Vec3 n = patch.normal;
     const Vec3 a =
         unit(std::abs(n.z) < 0.9F ? cross({0.0F, 0.0F, 1.0F}, n) : cross({1.0F, 0.0F, 0.0F}, n));
     const Vec3 b = cross(n, a);
@@ -167,7 +168,7 @@ class Baker {
   int source_of(const Packet& packet, unsigned lane, V4& sky) const {
     const Vec3 d = packet.direction(lane);
     if (!packet.hit(lane)) {
-      sky += outdoors(d) * splat(stage_.sky / kDirections);
+      sky += stage_.outdoors(d) * splat(stage_.sky / kDirections);
       return kDark;
     }
     const Patch& patch = stage_.patches[packet.rays.hit.primID[lane]];
@@ -227,7 +228,12 @@ class Baker {
       V4* first = &indirect_[at(patch.light_at + line * line_step)];
       for (int i = 0; i < count; ++i) copy[at(i)] = first[static_cast<std::ptrdiff_t>(i) * step];
       for (int i = 0; i < count; ++i) {
-        const auto c = [&](int k) { return copy[at(std::clamp(k, 0, count - 1))]; };
+        // Beyond the border the light goes on as it comes in, so that pieces of one wall meet.
+        const auto c = [&](int k) {
+          if (k < 0) return splat(2.0F) * copy[0] - copy[at(-k)];
+          if (k >= count) return splat(2.0F) * copy[at(count - 1)] - copy[at(2 * count - 2 - k)];
+          return copy[at(k)];
+        };
         first[static_cast<std::ptrdiff_t>(i) * step] =
             (c(i - 2) + c(i + 2) + splat(4.0F) * (c(i - 1) + c(i + 1)) + splat(6.0F) * c(i)) *
             splat(1.0F / 16.0F);

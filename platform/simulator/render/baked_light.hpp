@@ -26,9 +26,6 @@ struct LampSample {
 [[nodiscard]] LampSample lamp_sample(const Lamp& lamp, Vec3 point, Vec3 normal, int sample,
                                      int samples);
 
-/// What is seen through a window: sky, trees and a lawn, brightness about 1.
-[[nodiscard]] V4 outdoors(Vec3 direction);
-
 /// Directions around +z, weighted by their cosine, evenly spread.
 [[nodiscard]] std::vector<Vec3> cosine_directions(int count);
 /// Directions over the whole sphere, evenly spread.

@@ -49,6 +49,7 @@ class Sensor {
                    std::uint64_t frame);
 
  private:
+  void blur_by_lens(std::vector<V4>& light);
   void smear_rows(std::vector<V4>& light, float length_px) const;
   void smear_columns(std::vector<V4>& light, float length_px) const;
   void read_out(const std::vector<V4>& light, const Exposure& exposure, std::uint64_t frame);
@@ -63,6 +64,7 @@ class Sensor {
   int height_ = 0;
   std::uint64_t seed_ = 0;
   GaussTable gauss_;
+  std::vector<V4> lens_;
   std::vector<float> sensitivity_;  ///< per pixel: vignetting, unevenness, this eye's gain
   std::vector<float> raw_;          ///< grey levels of full scale, two pixels of margin all round
   std::vector<std::uint8_t> tone_;

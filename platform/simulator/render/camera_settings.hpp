@@ -26,7 +26,7 @@ struct CameraSettings {
   double target_level = 0.17;     ///< mean of the picture, of full scale, that exposure seeks
   double adaptation = 0.5;        ///< share of the way to the right exposure, each picture
   double flicker = 0.01;          ///< of the lamps, root mean square
-  bool smooth_edges = true;       ///< four samples a pixel along edges
+  bool smooth_edges = true;       ///< three samples a pixel along edges
   bool noise = true;              ///< shot and read noise, unevenness of the pixels
 
   [[nodiscard]] int height_px() const { return width_px * 3 / 4; }
@@ -59,7 +59,7 @@ void visit(V& v, CameraSettings& s) {
   v.number("adaptation", s.adaptation, Unit::fraction, {0.01, 1},
            "how fast exposure follows, a picture");
   v.number("flicker", s.flicker, Unit::fraction, {0, 0.5}, "of the lamps");
-  v.flag("smooth_edges", s.smooth_edges, "four samples a pixel along edges");
+  v.flag("smooth_edges", s.smooth_edges, "three samples a pixel along edges");
   v.flag("noise", s.noise, "shot noise, read noise, uneven pixels");
 }
 

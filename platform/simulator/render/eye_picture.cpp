@@ -12,7 +12,7 @@ std::size_t at(int i) {
 
 }  // namespace
 
-const std::vector<V4>& EyePicture::render(const View& view, bool with_smooth_edges) {
+const std::vector<V4>& EyePicture::render(const View& view, bool smooth_edges) {
   const int pixels = view.width_px * view.height_px;
   light_.resize(at(pixels));
   group_.resize(at(pixels));
@@ -20,12 +20,54 @@ const std::vector<V4>& EyePicture::render(const View& view, bool with_smooth_edg
   mirror_height_ = (view.height_px + 1) / 2;
   mirror_.assign(at(mirror_width_ * mirror_height_), V4{});
   pending_count_ = 0;
+  frame_people(view);
   trace_all(view);
   flush_mirror(view);
-  if (with_smooth_edges) smooth_edges(view);
+  if (smooth_edges) {
+    const std::vector<int> pixels_at_edges = edges(view);
+    for (std::size_t first = 0; first < pixels_at_edges.size(); first += 8) {
+      resample(view, pixels_at_edges, first);
+    }
+  }
   blur_mirror();
   add_mirror(view);
   return light_;
+}
+
+void EyePicture::frame_people(const View& view) {
+  frames_.clear();
+  constexpr float kRadius_m = 0.75F;  // arms and legs in full stride
+  for (const Occluder& person : people_.occluders()) {
+    const Vec3 way = (person.foot + person.head) * 0.5F - view.origin;
+    const float depth = dot(way, view.forward);
+    if (depth < -2.0F) continue;
+    Frame frame{-1.0F, 1e6F, -1.0F, 1e6F};
+    if (depth > 2.0F) {
+      const auto u = [&](float x) { return view.centre_u_px + view.focal_px * x; };
+      const auto v = [&](float y) { return view.centre_v_px + view.focal_px * y; };
+      const float near = 1.0F / (depth - kRadius_m);
+      const float x = dot(way, view.right);
+      const float y = dot(way, view.down);
+      const float tall = 0.5F * length(person.head - person.foot) + 0.1F + kRadius_m;
+      // Both depths count: what is off the axis moves outwards as it comes nearer.
+      const float far = 1.0F / (depth + kRadius_m);
+      frame = {u(std::min((x - kRadius_m) * near, (x - kRadius_m) * far)) - 4.0F,
+               u(std::max((x + kRadius_m) * near, (x + kRadius_m) * far)) + 4.0F,
+               v(std::min((y - tall) * near, (y - tall) * far)) - 4.0F,
+               v(std::max((y + tall) * near, (y + tall) * far)) + 4.0F};
+    }
+    frames_.push_back(frame);
+  }
+}
+
+bool EyePicture::people_in(int left, int top, int right, int bottom) const {
+  for (const Frame& frame : frames_) {
+    if (frame.left <= static_cast<float>(right) && frame.right >= static_cast<float>(left) &&
+        frame.top <= static_cast<float>(bottom) && frame.bottom >= static_cast<float>(top)) {
+      return true;
+    }
+  }
+  return false;
 }
 
 void EyePicture::trace_all(const View& view) {
@@ -43,7 +85,7 @@ void EyePicture::trace_tile(const View& view, int left, int top) {
                kFar_m);
     if (x >= view.width_px || y >= view.height_px) packet.valid[i] = 0;
   }
-  tracer_.intersect(packet, true);
+  tracer_.intersect(packet, true, people_in(left, top, left + 3, top + 3));
   std::array<Shaded, Packet::kSize> shaded;
   shader_.shade(packet, 1.0F / view.focal_px, nullptr, shaded.data());
   std::array<bool, 4> mirrored{};
@@ -75,7 +117,7 @@ void EyePicture::want_mirror(const Packet& packet, unsigned lane, Vec3 normal, i
 
 void EyePicture::flush_mirror(const View& view) {
   if (pending_count_ == 0) return;
-  for (unsigned i = pending_count_; i < Packet::kSize; ++i) pending_.valid[i] = 0;
+  for (unsigned i = pending_count_; i < Packet::kSize; ++i) pending_.clear(i);
   tracer_.intersect(pending_, true);
   std::array<Shaded, Packet::kSize> shaded;
   shader_.shade(pending_, 2.5F / view.focal_px, pending_before_m_.data(), shaded.data());
@@ -87,49 +129,72 @@ void EyePicture::flush_mirror(const View& view) {
   pending_count_ = 0;
 }
 
-bool EyePicture::is_edge(const View& view, int x, int y) const {
-  const int here = y * view.width_px + x;
-  const float a = luminance(light_[at(here)]);
-  const auto differs = [&](int there) {
-    const float b = luminance(light_[at(there)]);
-    const float needed = group_[at(here)] == group_[at(there)] ? 0.3F : 0.05F;
-    return std::abs(a - b) > needed * std::max(a, b);
+/// Pixels beside a visible step of brightness, on both sides of it.
+std::vector<int> EyePicture::edges(const View& view) {
+  const int w = view.width_px;
+  const std::size_t pixels = light_.size();
+  brightness_.resize(pixels);
+  is_edge_.assign(pixels, 0);
+  for (std::size_t i = 0; i < pixels; ++i) brightness_[i] = luminance(light_[i]);
+  const auto compare = [&](std::size_t here, std::size_t there) {
+    const float a = brightness_[here];
+    const float b = brightness_[there];
+    const float needed = group_[here] == group_[there] ? 0.35F : 0.15F;
+    if (std::abs(a - b) > needed * std::max(a, b)) is_edge_[here] = is_edge_[there] = 1;
   };
-  return (x > 0 && differs(here - 1)) || (x + 1 < view.width_px && differs(here + 1)) ||
-         (y > 0 && differs(here - view.width_px)) ||
-         (y + 1 < view.height_px && differs(here + view.width_px));
-}
-
-void EyePicture::smooth_edges(const View& view) {
-  std::vector<int> edges;
   for (int y = 0; y < view.height_px; ++y) {
-    for (int x = 0; x < view.width_px; ++x) {
-      if (is_edge(view, x, y)) edges.push_back(y * view.width_px + x);
+    for (int x = 0; x < w; ++x) {
+      const std::size_t here = at(y * w + x);
+      if (x + 1 < w) compare(here, here + 1);
+      if (y + 1 < view.height_px) compare(here, here + at(w));
     }
   }
-  for (std::size_t first = 0; first < edges.size(); first += 4) resample(view, edges, first);
+  // Tile by tile, so that rays that are traced together go nearly the same way.
+  constexpr int kTile_px = 8;
+  std::vector<int> found;
+  for (int top = 0; top < view.height_px; top += kTile_px) {
+    for (int left = 0; left < w; left += kTile_px) {
+      for (int y = top; y < std::min(top + kTile_px, view.height_px); ++y) {
+        for (int x = left; x < std::min(left + kTile_px, w); ++x) {
+          if (is_edge_[at(y * w + x)] != 0) found.push_back(y * w + x);
+        }
+      }
+    }
+  }
+  return found;
 }
 
-/// Four pixels, each with four rays in place of its one.
+/// Eight pixels, each with two rays more beside the one it has.
 void EyePicture::resample(const View& view, const std::vector<int>& pixels, std::size_t first) {
-  static constexpr std::array<float, 4> kU{-0.125F, 0.375F, -0.375F, 0.125F};
-  static constexpr std::array<float, 4> kV{-0.375F, -0.125F, 0.125F, 0.375F};
-  const std::size_t count = std::min<std::size_t>(4, pixels.size() - first);
+  static constexpr std::array<float, 2> kU{-0.33F, 0.33F};
+  static constexpr std::array<float, 2> kV{-0.17F, 0.17F};
+  const std::size_t count = std::min<std::size_t>(8, pixels.size() - first);
   Packet packet;
+  int left = view.width_px;
+  int right = 0;
+  int top = view.height_px;
+  int bottom = 0;
   for (unsigned i = 0; i < Packet::kSize; ++i) {
-    const int pixel = pixels[first + std::min<std::size_t>(i / 4, count - 1)];
-    const float u = static_cast<float>(pixel % view.width_px) + kU[i % 4];
-    const float v = static_cast<float>(pixel / view.width_px) + kV[i % 4];
-    packet.set(i, view.origin, view.ray(u, v), kNear_m, kFar_m);
-    if (i / 4 >= count) packet.valid[i] = 0;
+    const int pixel = pixels[first + std::min<std::size_t>(i / 2, count - 1)];
+    const int x = pixel % view.width_px;
+    const int y = pixel / view.width_px;
+    left = std::min(left, x);
+    right = std::max(right, x);
+    top = std::min(top, y);
+    bottom = std::max(bottom, y);
+    // Mirrored from row to row, so that neighbours do not sample the same places.
+    const float u = (y % 2 == 0 ? 1.0F : -1.0F) * kU[i % 2];
+    packet.set(i, view.origin,
+               view.ray(static_cast<float>(x) + u, static_cast<float>(y) + kV[i % 2]), kNear_m,
+               kFar_m);
+    if (i / 2 >= count) packet.valid[i] = 0;
   }
-  tracer_.intersect(packet, true);
+  tracer_.intersect(packet, true, people_in(left, top, right, bottom));
   std::array<Shaded, Packet::kSize> shaded;
   shader_.shade(packet, 1.0F / view.focal_px, nullptr, shaded.data());
   for (std::size_t k = 0; k < count; ++k) {
-    V4 sum{};
-    for (std::size_t i = 0; i < 4; ++i) sum += shaded[4 * k + i].colour;
-    light_[at(pixels[first + k])] = sum * splat(0.25F);
+    V4& pixel = light_[at(pixels[first + k])];
+    pixel = (pixel + shaded[2 * k].colour + shaded[2 * k + 1].colour) * splat(1.0F / 3.0F);
   }
 }
 

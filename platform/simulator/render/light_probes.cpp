@@ -64,7 +64,7 @@ std::array<V4, 6> LightProbes::measure(const Stage& stage, const BakedLight& bak
     tracer.intersect(packet, false);
     for (unsigned k = 0; k < Packet::kSize; ++k) {
       const Vec3 d = packet.direction(k);
-      V4 radiosity = outdoors(d) * splat(stage.sky);
+      V4 radiosity = stage.outdoors(d) * splat(stage.sky);
       if (packet.hit(k)) {
         const Patch& patch = stage.patches[packet.rays.hit.primID[k]];
         const Material& material = stage.materials[patch.material];
@@ -89,7 +89,7 @@ std::array<V4, 6> LightProbes::measure(const Stage& stage, const BakedLight& bak
   Packet shadow;
   for (const Lamp& lamp : stage.lamps) {
     if (length(lamp.centre - point) > 12.0F) continue;
-    for (unsigned k = 0; k < Packet::kSize; ++k) shadow.valid[k] = 0;
+    for (unsigned k = 0; k < Packet::kSize; ++k) shadow.clear(k);
     shadow.set(0, point, lamp.centre - point, 0.0F, 0.99F);
     tracer.occlude(shadow);
     if (shadow.rays.ray.tfar[0] < 0.0F) continue;

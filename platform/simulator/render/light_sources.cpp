@@ -1,7 +1,6 @@
 #include <numbers>
 
 #include "platform/simulator/render/baked_light.hpp"
-#include "platform/simulator/render/noise.hpp"
 
 namespace striate::simulator::render {
 
@@ -22,24 +21,6 @@ LampSample lamp_sample(const Lamp& lamp, Vec3 point, Vec3 normal, int sample, in
   if (here <= 0.0F || there <= 0.0F) return {from, 0.0F};
   const float area = lamp.area_m2() / static_cast<float>(samples);
   return {from, lamp.exitance * area * here * there / (r2 * std::numbers::pi_v<float>)};
-}
-
-V4 outdoors(Vec3 direction) {
-  const Vec3 d = unit(direction);
-  const float azimuth = std::atan2(d.y, d.x) / (2.0F * std::numbers::pi_v<float>);
-  const float trees = 0.05F + 0.07F * fractal_noise(azimuth, 0.3F, {24, 4, 0.6F}, 7);
-  if (d.z > trees) {
-    const float up = std::min(1.0F, d.z * 1.6F);
-    const float cloud = std::max(0.0F, fractal_noise(azimuth, d.z * 0.7F, {9, 4, 0.55F}, 8));
-    const V4 blue = lerp(bgr(1.0F, 0.95F, 0.88F), bgr(0.9F, 0.66F, 0.45F), up);
-    return lerp(blue, splat(1.05F), std::min(1.0F, 1.6F * cloud));
-  }
-  if (d.z > -0.015F) {
-    const float leaves = 1.0F + 0.5F * fractal_noise(azimuth, d.z * 3.0F, {160, 3, 0.7F}, 9);
-    return bgr(0.08F, 0.17F, 0.12F) * splat(leaves);
-  }
-  const float grass = 1.0F + 0.25F * fractal_noise(azimuth, 1.0F / d.z * 0.01F, {90, 3, 0.7F}, 10);
-  return bgr(0.12F, 0.32F, 0.24F) * splat(grass);
 }
 
 std::vector<Vec3> cosine_directions(int count) {

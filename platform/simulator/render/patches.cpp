@@ -19,6 +19,7 @@ Patch& PatchList::quad(const std::array<Vec3, 4>& corner, int material,
   Patch patch;
   patch.corner = corner;
   patch.normal = unit(cross(corner[2] - corner[0], corner[3] - corner[1]));
+  patch.bend.fill(patch.normal);
   patch.material = material;
   patch.group = group_;
   const float tile_x = look.tile_x_m > 0.0F ? look.tile_x_m : 1.0F;
@@ -90,8 +91,14 @@ void PatchList::column(const Stand& stand, const Column& c, int material) {
     const float to = static_cast<float>(i + 1) / sides * (stretched ? 1.0F : round_m);
     const float low = stretched ? 0.998F : -c.bottom_m;
     const float high = stretched ? 0.002F : -c.top_m;
-    quad({ring(i, false), ring(i + 1, false), ring(i + 1, true), ring(i, true)}, material,
-         {from, to, to, from}, {low, low, high, high});
+    Patch& side = quad({ring(i, false), ring(i + 1, false), ring(i + 1, true), ring(i, true)},
+                       material, {from, to, to, from}, {low, low, high, high});
+    const auto out = [&](int k) {
+      const Vec3 middle = stand.point(c.x_m, c.y_m, c.bottom_m);
+      const Vec3 radial = ring(k, false) - middle;
+      return unit({radial.x, radial.y, side.normal.z});
+    };
+    side.bend = {out(i), out(i + 1), out(i + 1), out(i)};
   }
   if (!c.lid) return;
   next_group();

@@ -16,6 +16,8 @@ namespace striate::simulator::render {
 struct Patch {
   std::array<Vec3, 4> corner;
   Vec3 normal;
+  /// Which way the surface faces at its corners, for its light: round things are round to light.
+  std::array<Vec3, 4> bend;
   std::array<float, 4> s{};  ///< texture coordinates of the corners, in repeats
   std::array<float, 4> t{};
   int material = 0;

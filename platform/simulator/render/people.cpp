@@ -153,7 +153,7 @@ class Body {
     const float upper = 0.75F * swing_ * std::sin(phase);
     const float lower = upper + 0.12F + 0.35F * swing_;
     const float h = hip_m_ - 0.93F;
-    const Vec3 shoulder{0.0F, side * 0.205F, 1.42F + h};
+    const Vec3 shoulder{0.0F, side * 0.19F, 1.415F + h};
     const Vec3 elbow = hanging(shoulder, upper, 0.29F) + Vec3{0.0F, side * 0.03F, 0.0F};
     const Vec3 wrist = hanging(elbow, lower, 0.25F);
     const Vec3 finger = hanging(wrist, lower, 0.17F);
@@ -161,9 +161,9 @@ class Body {
           across(elbow, (upper + lower) / 2.0F, 0.044F, 0.042F, 0.25F)},
          look_.sleeves ? look_.top : look_.skin);
     loft({across(elbow, (upper + lower) / 2.0F, 0.046F, 0.044F, 0.25F),
-          across(hanging(shoulder, upper, 0.06F), upper, 0.06F, 0.055F, 0.48F),
-          across(hanging(shoulder, upper, -0.01F), upper, 0.05F, 0.045F, 0.55F),
-          across(hanging(shoulder, upper, -0.035F), upper, 0.015F, 0.015F, 0.58F)},
+          across(hanging(shoulder, upper, 0.06F), upper, 0.055F, 0.05F, 0.48F),
+          across(hanging(shoulder, upper, 0.0F), upper, 0.05F, 0.045F, 0.55F),
+          across(hanging(shoulder, upper, -0.03F), upper, 0.02F, 0.02F, 0.58F)},
          look_.top);
     loft({across(finger, lower, 0.012F, 0.01F, 0.0F),
           across(hanging(wrist, lower, 0.08F), lower, 0.042F, 0.022F, 0.08F),
@@ -172,10 +172,15 @@ class Body {
   }
 
   void shade_around() {
-    for (const Vec3& foot : feet_) people_.occluders_.push_back({world(foot), 0.1F});
-    for (const float z : {0.45F, 0.95F, 1.3F}) {
-      people_.occluders_.push_back({world({0.0F, 0.0F, z}), z < 0.5F ? 0.16F : 0.2F});
-    }
+    Occluder shadow;
+    shadow.foot = world({});
+    shadow.head = world({0.0F, 0.0F, 1.8F});
+    shadow.balls = {{{world(feet_[0]), 0.1F},
+                     {world(feet_[1]), 0.1F},
+                     {world({0.0F, 0.0F, 0.45F}), 0.16F},
+                     {world({0.0F, 0.0F, 0.95F}), 0.2F},
+                     {world({0.0F, 0.0F, 1.3F}), 0.2F}}};
+    people_.occluders_.push_back(shadow);
   }
 
   People& people_;

@@ -7,10 +7,16 @@
 
 namespace striate::simulator::render {
 
-/// A ball that keeps light from what is near: the analytic part of a person's contact shadow.
+/// Keeps light from what is near, worked out from balls: a person's contact shadow.
 struct Occluder {
-  Vec3 centre;
-  float radius_m = 0.0F;
+  struct Ball {
+    Vec3 centre;
+    float radius_m = 0.0F;
+  };
+  static constexpr float kReach_m = 1.2F;  ///< beyond this, nothing is darkened
+  Vec3 foot;
+  Vec3 head;
+  std::array<Ball, 5> balls;
 };
 
 /// The people of one picture: bodies in the pose of their stride, lit by the probes.

@@ -25,7 +25,7 @@ struct Renderer::Parts {
         baked(bake_light(stage, tracer)),
         probes(stage, plan, baked, tracer),
         shader(stage, baked, people, tracer),
-        eye(tracer, shader),
+        eye(tracer, shader, people),
         exposure_control(settings),
         left(settings, Eye::left, key),
         right(settings, Eye::right, key) {}

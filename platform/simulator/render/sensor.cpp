@@ -72,10 +72,26 @@ Sensor::Sensor(const CameraSettings& settings, Eye eye, std::uint64_t seed)
 
 cv::Mat3b Sensor::expose(std::vector<V4> light, const Exposure& exposure, const Smear& smear,
                          std::uint64_t frame) {
+  blur_by_lens(light);
   if (smear.u_px > 0.3F) smear_rows(light, smear.u_px + 1.0F);
   if (smear.v_px > 0.3F) smear_columns(light, smear.v_px + 1.0F);
   read_out(light, exposure, frame);
   return demosaic();
+}
+
+/// A lens is not sharper than the pixels: a cross-shaped point spread, which also keeps colours
+/// from fringing in the mosaic.
+void Sensor::blur_by_lens(std::vector<V4>& light) {
+  constexpr float kSpread = 0.09F;
+  lens_ = light;
+  for (int y = 1; y + 1 < height_; ++y) {
+    const V4* in = lens_.data() + y * width_;
+    V4* out = light.data() + y * width_;
+    for (int x = 1; x + 1 < width_; ++x) {
+      const V4 around = in[x - 1] + in[x + 1] + in[x - width_] + in[x + width_];
+      out[x] = in[x] * splat(1.0F - 4.0F * kSpread) + around * splat(kSpread);
+    }
+  }
 }
 
 void Sensor::smear_rows(std::vector<V4>& light, float length_px) const {
@@ -125,16 +141,19 @@ void Sensor::read_out(const std::vector<V4>& light, const Exposure& exposure, st
 }
 
 /// Malvar, He and Cutler 2004, "High-quality linear interpolation for demosaicing of
-/// Bayer-patterned color images": bilinear plus the gradient of the colour that is known.
+/// Bayer-patterned color images": bilinear plus the gradient of the colour that is known. Held
+/// between the neighbours of its own colour, as cameras do: else every lamp has a fringe.
 cv::Mat3b Sensor::demosaic() const {
   cv::Mat3b picture(height_, width_);
   const int s = width_ + 2 * kMargin;
+  const auto held = [](float value, float a, float b) {
+    return std::min(std::max(value, std::min(a, b)), std::max(a, b));
+  };
   for (int y = 0; y < height_; ++y) {
     const float* p = raw_.data() + (y + kMargin) * s + kMargin;
     std::uint8_t* out = picture.ptr(y);
     for (int x = 0; x < width_; ++x, ++p, out += 3) {
       const float here = p[0];
-      const float cross = p[-1] + p[1] + p[-s] + p[s];
       const float diagonal = p[-s - 1] + p[-s + 1] + p[s - 1] + p[s + 1];
       const float wide = p[-2] + p[2];
       const float tall = p[-2 * s] + p[2 * s];
@@ -145,15 +164,19 @@ cv::Mat3b Sensor::demosaic() const {
         const float above =
             (5.0F * here + 4.0F * (p[-s] + p[s]) - diagonal - tall + 0.5F * wide) * 0.125F;
         const bool red_row = y % 2 == 0;
-        out[0] = tone(red_row ? above : beside);
+        out[red_row ? 2 : 0] = tone(held(beside, p[-1], p[1]));
         out[1] = tone(here);
-        out[2] = tone(red_row ? beside : above);
+        out[red_row ? 0 : 2] = tone(held(above, p[-s], p[s]));
       } else {
+        const float cross = p[-1] + p[1] + p[-s] + p[s];
         const float green = (4.0F * here + 2.0F * cross - wide - tall) * 0.125F;
         const float other = (6.0F * here + 2.0F * diagonal - 1.5F * (wide + tall)) * 0.125F;
         out[c] = tone(here);
-        out[1] = tone(green);
-        out[2 - c] = tone(other);
+        out[1] = tone(held(green, std::min(std::min(p[-1], p[1]), std::min(p[-s], p[s])),
+                           std::max(std::max(p[-1], p[1]), std::max(p[-s], p[s]))));
+        out[2 - c] =
+            tone(held(other, std::min(std::min(p[-s - 1], p[s + 1]), std::min(p[-s + 1], p[s - 1])),
+                      std::max(std::max(p[-s - 1], p[s + 1]), std::max(p[-s + 1], p[s - 1]))));
       }
     }
   }

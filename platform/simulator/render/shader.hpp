@@ -20,30 +20,35 @@ class Shader {
       : stage_(stage), baked_(baked), people_(people), tracer_(tracer) {}
 
   /// `flicker`: of the lamps in this picture, about 1.
-  void begin_picture(float flicker) { flicker_ = splat(flicker); }
+  void begin_picture(float flicker) { flicker_ = flicker; }
 
   /// Shades the valid lanes of a traced packet. `spread`: width of a pixel at distance one, grown
   /// for blurred mirror images. `before_m`: of way that the light went before (mirrors).
   void shade(const Packet& packet, float spread, const float* before_m, Shaded* out) const;
 
  private:
-  struct Surface {
+  /// What neighbouring rays on one patch have in common.
+  struct Look {
     const Patch* patch = nullptr;
-    V4 albedo{};
-    V4 light{};
-    Vec3 place;
-    float facing = 1.0F;  ///< cosine between the ray and the normal
+    const Material* material = nullptr;
+    /// Two mip levels a little apart, used in turn: no border is seen where the level changes.
+    std::array<const Texture::Level*, 2> level{};
+    const V4* light = nullptr;
+    float sun = 0.0F;  ///< irradiance where it shines on the patch
+    bool person = false;
   };
-  [[nodiscard]] Surface look_up(const Packet& packet, unsigned lane, float spread,
-                                float before_m) const;
+  [[nodiscard]] Look look_at(const Packet& packet, unsigned lane, float spread,
+                             float before_m) const;
   [[nodiscard]] float hidden_by_people(Vec3 place, Vec3 normal) const;
-  void add_sun(Surface* surfaces, const std::array<int, Packet::kSize>& wanted) const;
+  [[nodiscard]] bool people_near(const Packet& packet) const;
+  void cast_to_sun(const Packet& packet, const std::array<Vec3, Packet::kSize>& normal,
+                   std::array<float, Packet::kSize>& sun) const;
 
   const Stage& stage_;
   const BakedLight& baked_;
   const People& people_;
   const Tracer& tracer_;
-  V4 flicker_{1.0F, 1.0F, 1.0F, 1.0F};
+  float flicker_ = 1.0F;
 };
 
 }  // namespace striate::simulator::render

@@ -108,7 +108,7 @@ void add_lamps(PatchList& patches, std::vector<Lamp>& lamps, const World& world,
 }
 
 Stage build_stage(const World& world, const FloorPlan& plan) {
-  Stage stage{Materials(world.file), {}, 0, {}, std::nullopt, 0.0F};
+  Stage stage{Materials(world.file), {}, 0, {}, std::nullopt, Outdoors(), 0.0F};
   PatchList patches(stage.materials);
   add_floor_and_ceiling(patches, world, plan);
   add_walls(patches, world, plan);

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "platform/simulator/obstacle_shapes.hpp"
+#include "platform/simulator/render/outdoors.hpp"
 #include "platform/simulator/render/patches.hpp"
 #include "platform/simulator/scene.hpp"
 #include "platform/simulator/world.hpp"
@@ -33,6 +34,7 @@ struct Stage {
   int light_texels = 0;
   std::vector<Lamp> lamps;
   std::optional<SunLight> sun;
+  Outdoors outdoors;
   float sky = 0.0F;  ///< brightness of the view through the windows
 };
 

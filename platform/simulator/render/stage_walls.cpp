@@ -9,6 +9,7 @@ constexpr float kLintel_m = 2.2F;
 constexpr float kWindow_m = 1.3F;
 constexpr float kPier_m = 0.75F;  ///< of wall between two windows of a row
 constexpr float kReveal_m = 0.18F;
+constexpr float kPiece_m = 5.0F;
 
 struct Span {
   float from = 0.0F;
@@ -44,6 +45,15 @@ class Wall {
   }
   [[nodiscard]] Vec3 point(float x, float y, float z) const { return stand_.point(x, y, z); }
 
+  /// The wall's face, in pieces short enough for quick ray casting.
+  void long_face(PatchList& patches, Span x, Span z, int material, float y = 0.0F) const {
+    const int pieces = std::max(1, static_cast<int>(std::ceil((x.to - x.from) / kPiece_m)));
+    const float step = (x.to - x.from) / static_cast<float>(pieces);
+    for (int i = 0; i < pieces; ++i) {
+      const float from = x.from + step * static_cast<float>(i);
+      face(patches, {from, i + 1 == pieces ? x.to : from + step}, z, material, y);
+    }
+  }
   /// A piece of the wall's face at depth y.
   Patch& face(PatchList& patches, Span x, Span z, int material, float y = 0.0F) const {
     const Vec3 corner = point(x.to, y, z.from);
@@ -126,12 +136,16 @@ void add_face(PatchList& patches, const Wall& wall, const std::vector<Span>& win
   patches.set_spacing(0.15F);
   float done = 0.0F;
   for (const Span& window : windows) {
-    wall.face(patches, {done, window.from}, {low, top}, material);
+    wall.long_face(patches, {done, window.from}, {low, top}, material);
     wall.face(patches, window, {low, kSill_m}, material);
     wall.face(patches, window, {kLintel_m, top}, material);
     done = window.to;
   }
-  wall.face(patches, {done, wall.length_m()}, {low, top}, material);
+  wall.long_face(patches, {done, wall.length_m()}, {low, top}, material);
+  // Behind the skirting a piece of its own: the dark there must not reach up the wall.
+  patches.set_spacing(0.5F);
+  wall.long_face(patches, {0.0F, wall.length_m()}, {static_cast<float>(segment.bottom_m), low},
+                 material);
 }
 
 void add_skirting(PatchList& patches, const Wall& wall, const std::vector<Span>& doors) {
@@ -141,7 +155,7 @@ void add_skirting(PatchList& patches, const Wall& wall, const std::vector<Span>&
     if (x.to - x.from < 0.02F) return;
     constexpr float kThick_m = 0.012F;
     patches.next_group();
-    wall.face(patches, x, {0.0F, kSkirting_m}, material, kThick_m);
+    wall.long_face(patches, x, {0.0F, kSkirting_m}, material, kThick_m);
     patches.next_group();
     const Vec3 corner = wall.point(x.from, 0.0F, kSkirting_m);
     patches.rectangle(corner, wall.point(x.to, 0.0F, kSkirting_m) - corner,

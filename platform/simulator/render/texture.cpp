@@ -1,5 +1,6 @@
 #include "platform/simulator/render/texture.hpp"
 
+#include <bit>
 #include <opencv2/imgproc.hpp>
 
 namespace striate::simulator::render {
@@ -32,7 +33,10 @@ Texture::Texture(const cv::Mat3b& picture)
   sized.convertTo(linear, CV_32F, 1.0 / 255.0);
   linear = linear.mul(linear);
   while (true) {
-    levels_.push_back({static_cast<std::uint32_t>(texels_.size()), linear.cols, linear.rows});
+    levels_.push_back({static_cast<std::uint32_t>(texels_.size()), linear.cols - 1, linear.rows - 1,
+                       std::countr_zero(static_cast<unsigned>(linear.cols)),
+                       256.0F * static_cast<float>(linear.cols),
+                       256.0F * static_cast<float>(linear.rows)});
     for (int y = 0; y < linear.rows; ++y) {
       for (int x = 0; x < linear.cols; ++x) texels_.push_back(packed(linear(y, x)));
     }
@@ -42,6 +46,7 @@ Texture::Texture(const cv::Mat3b& picture)
                cv::INTER_AREA);
     linear = half;
   }
+  top_level_ = static_cast<float>(levels_.size() - 1);
   mean_ = bgr(linear(0, 0)[0], linear(0, 0)[1], linear(0, 0)[2]);
 }
 

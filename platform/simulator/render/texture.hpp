@@ -23,62 +23,62 @@ class Texture {
   [[nodiscard]] int height() const { return height_; }
   [[nodiscard]] V4 mean() const { return mean_; }  ///< linear albedo
 
-  /// Linear albedo at (s, t) in repeats of the picture, s right, t down; `level` 0 is the finest.
-  [[nodiscard]] V4 sample(float s, float t, float level) const;
-
- private:
+  /// One mip level.
   struct Level {
     std::uint32_t offset = 0;
-    int width = 0;
-    int height = 0;
+    std::int32_t mask_u = 0;  ///< width - 1
+    std::int32_t mask_v = 0;
+    int shift = 0;         ///< log2 of the width
+    float scale_u = 0.0F;  ///< 256 times the width
+    float scale_v = 0.0F;
   };
-  [[nodiscard]] V4 bilinear(const Level& level, float s, float t) const;
+  /// The level nearest to `level`; 0 is the finest. Blending two levels costs a tenth of the
+  /// picture's time and shows no difference under the sensor's noise.
+  [[nodiscard]] const Level& level(float level) const {
+    return levels_[static_cast<std::size_t>(std::min(std::max(level + 0.5F, 0.0F), top_level_))];
+  }
+  /// Linear albedo at (s, t) in repeats of the picture, s right, t down; bilinear.
+  [[nodiscard]] V4 sample(const Level& level, float s, float t) const;
 
+ private:
   int width_ = 0;
   int height_ = 0;
   V4 mean_{};
+  float top_level_ = 0.0F;
   std::vector<Level> levels_;
   std::vector<std::uint32_t> texels_;
 };
 
-inline V4 Texture::bilinear(const Level& level, float s, float t) const {
-  using Bytes = std::uint8_t __attribute__((vector_size(4)));
-  const float x = s * static_cast<float>(level.width) - 0.5F;
-  const float y = t * static_cast<float>(level.height) - 0.5F;
-  // Truncation of a shifted value is floor without a call to it.
-  const int x0 = static_cast<int>(x + 65536.0F) - 65536;
-  const int y0 = static_cast<int>(y + 65536.0F) - 65536;
-  const float u = x - static_cast<float>(x0);
-  const float v = y - static_cast<float>(y0);
-  const int xa = x0 & (level.width - 1);
-  const int xb = (x0 + 1) & (level.width - 1);
-  const std::uint32_t* data = texels_.data() + level.offset;
-  const std::uint32_t* top =
-      data + static_cast<std::ptrdiff_t>(y0 & (level.height - 1)) * level.width;
-  const std::uint32_t* low =
-      data + static_cast<std::ptrdiff_t>((y0 + 1) & (level.height - 1)) * level.width;
-  const auto load = [](const std::uint32_t* at) {
-    Bytes bytes;
-    std::memcpy(&bytes, at, sizeof bytes);
-    return __builtin_convertvector(bytes, V4);
-  };
-  const V4 a = lerp(load(top + xa), load(top + xb), u);
-  const V4 b = lerp(load(low + xa), load(low + xb), u);
-  return lerp(a, b, v);
+/// The four bytes of a texel as numbers. Spelt out by shuffles: compilers turn a plain conversion
+/// of four bytes into scalar code, at three times the cost of a whole picture.
+[[nodiscard]] inline V4 unpacked(std::uint32_t texel) {
+  using Bytes = std::uint8_t __attribute__((vector_size(16)));
+  using Shorts = std::uint16_t __attribute__((vector_size(16)));
+  const I4 whole{static_cast<std::int32_t>(texel), 0, 0, 0};
+  const Bytes zero{};
+  const Bytes shorts = __builtin_shufflevector((Bytes)whole, zero, 0, 16, 1, 17, 2, 18, 3, 19, 4,
+                                               20, 5, 21, 6, 22, 7, 23);
+  const Shorts none{};
+  const Shorts words = __builtin_shufflevector((Shorts)shorts, none, 0, 8, 1, 9, 2, 10, 3, 11);
+  return __builtin_convertvector((I4)words, V4);
 }
 
-inline V4 Texture::sample(float s, float t, float level) const {
-  // Keeps the coordinates small, so that the shift in `bilinear` holds.
+inline V4 Texture::sample(const Level& level, float s, float t) const {
+  // Fixed point with eight bits of fraction, of the fractional part: it keeps numbers small.
   s -= static_cast<float>(static_cast<int>(s));
   t -= static_cast<float>(static_cast<int>(t));
-  const float top = static_cast<float>(levels_.size() - 1);
-  const float clamped = std::min(std::max(level, 0.0F), top);
-  const auto fine = static_cast<std::size_t>(clamped);
-  const float between = clamped - static_cast<float>(fine);
-  V4 value = bilinear(levels_[fine], s, t);
-  if (between > 0.02F) {
-    value = lerp(value, bilinear(levels_[std::min(fine + 1, levels_.size() - 1)], s, t), between);
-  }
+  const int x = static_cast<int>((s + 1.0F) * level.scale_u) - 128;
+  const int y = static_cast<int>((t + 1.0F) * level.scale_v) - 128;
+  const float u = static_cast<float>(x & 255) * (1.0F / 256.0F);
+  const float v = static_cast<float>(y & 255) * (1.0F / 256.0F);
+  const int xa = (x >> 8) & level.mask_u;
+  const int xb = ((x >> 8) + 1) & level.mask_u;
+  const std::uint32_t* data = texels_.data() + level.offset;
+  const std::uint32_t* top = data + (((y >> 8) & level.mask_v) << level.shift);
+  const std::uint32_t* low = data + ((((y >> 8) + 1) & level.mask_v) << level.shift);
+  const V4 a = lerp(unpacked(top[xa]), unpacked(top[xb]), u);
+  const V4 b = lerp(unpacked(low[xa]), unpacked(low[xb]), u);
+  const V4 value = lerp(a, b, v);
   return value * value * splat(1.0F / (255.0F * 255.0F));
 }
 

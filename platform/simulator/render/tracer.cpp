@@ -1,6 +1,8 @@
 #include "platform/simulator/render/tracer.hpp"
 
+#include <cstdlib>
 #include <stdexcept>
+#include <string>
 
 namespace striate::simulator::render {
 namespace {
@@ -36,27 +38,11 @@ RTCScene build(RTCDevice device, const std::vector<Patch>& patches, unsigned id,
 
 }  // namespace
 
-void Packet::set(unsigned lane, Vec3 origin, Vec3 direction, float t_min, float t_max) {
-  rays.ray.org_x[lane] = origin.x;
-  rays.ray.org_y[lane] = origin.y;
-  rays.ray.org_z[lane] = origin.z;
-  rays.ray.dir_x[lane] = direction.x;
-  rays.ray.dir_y[lane] = direction.y;
-  rays.ray.dir_z[lane] = direction.z;
-  rays.ray.tnear[lane] = t_min;
-  rays.ray.tfar[lane] = t_max;
-  rays.ray.time[lane] = 0.0F;
-  rays.ray.mask[lane] = ~0U;
-  rays.ray.id[lane] = lane;
-  rays.ray.flags[lane] = 0;
-  rays.hit.geomID[lane] = RTC_INVALID_GEOMETRY_ID;
-  rays.hit.instID[0][lane] = RTC_INVALID_GEOMETRY_ID;
-  valid[lane] = -1;
-}
-
 Tracer::Tracer(const std::vector<Patch>& still) {
   // One thread: a run is one thread, and several runs share the machine.
-  device_ = rtcNewDevice("threads=1,user_threads=1,set_affinity=0");
+  device_ = rtcNewDevice((std::string("threads=1,user_threads=1,set_affinity=0") +
+                          (getenv("CFG") ? getenv("CFG") : ""))
+                             .c_str());
   if (device_ == nullptr) throw std::runtime_error("Embree cannot start on this machine");
   still_ = build(device_, still, kStill, RTC_BUILD_QUALITY_HIGH);
 }
@@ -71,23 +57,31 @@ void Tracer::set_people(const std::vector<Patch>& people) {
   if (people_ != nullptr) rtcReleaseScene(people_);
   people_ = nullptr;
   has_people_ = !people.empty();
-  if (has_people_) people_ = build(device_, people, kPeople, RTC_BUILD_QUALITY_LOW);
+  if (has_people_)
+    people_ = build(device_, people, kPeople,
+                    getenv("MED") ? RTC_BUILD_QUALITY_MEDIUM : RTC_BUILD_QUALITY_LOW);
 }
 
-void Tracer::intersect(Packet& packet, bool coherent) const {
+void Tracer::intersect(Packet& packet, bool coherent, bool people) const {
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
-  context.flags =
-      coherent ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
+  context.flags = coherent && !getenv("INC") ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT
+                                             : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
   rtcIntersect16(packet.valid.data(), still_, &context, &packet.rays);
-  if (has_people_) rtcIntersect16(packet.valid.data(), people_, &context, &packet.rays);
+  if (people && has_people_) rtcIntersect16(packet.valid.data(), people_, &context, &packet.rays);
 }
 
 void Tracer::occlude(Packet& packet) const {
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   rtcOccluded16(packet.valid.data(), still_, &context, &packet.rays.ray);
-  if (has_people_) rtcOccluded16(packet.valid.data(), people_, &context, &packet.rays.ray);
+  if (!has_people_) return;
+  // A ray that was stopped is no valid ray any more.
+  alignas(64) std::array<int, Packet::kSize> open = packet.valid;
+  for (unsigned i = 0; i < Packet::kSize; ++i) {
+    if (packet.rays.ray.tfar[i] < 0.0F) open[i] = 0;
+  }
+  rtcOccluded16(open.data(), people_, &context, &packet.rays.ray);
 }
 
 }  // namespace striate::simulator::render

@@ -18,6 +18,11 @@ struct alignas(64) Packet {
 
   /// `t_max` in lengths of `direction`.
   void set(unsigned lane, Vec3 origin, Vec3 direction, float t_min, float t_max);
+  /// No ray in this lane. It gets harmless numbers: Debian's Embree checks empty lanes too.
+  void clear(unsigned lane) {
+    set(lane, {}, {0.0F, 0.0F, 1.0F}, 0.0F, -1.0F);
+    valid[lane] = 0;
+  }
   [[nodiscard]] bool hit(unsigned lane) const {
     return rays.hit.geomID[lane] != RTC_INVALID_GEOMETRY_ID;
   }
@@ -29,6 +34,24 @@ struct alignas(64) Packet {
            direction(lane) * rays.ray.tfar[lane];
   }
 };
+
+inline void Packet::set(unsigned lane, Vec3 origin, Vec3 direction, float t_min, float t_max) {
+  rays.ray.org_x[lane] = origin.x;
+  rays.ray.org_y[lane] = origin.y;
+  rays.ray.org_z[lane] = origin.z;
+  rays.ray.dir_x[lane] = direction.x;
+  rays.ray.dir_y[lane] = direction.y;
+  rays.ray.dir_z[lane] = direction.z;
+  rays.ray.tnear[lane] = t_min;
+  rays.ray.tfar[lane] = t_max;
+  rays.ray.time[lane] = 0.0F;
+  rays.ray.mask[lane] = ~0U;
+  rays.ray.id[lane] = lane;
+  rays.ray.flags[lane] = 0;
+  rays.hit.geomID[lane] = RTC_INVALID_GEOMETRY_ID;
+  rays.hit.instID[0][lane] = RTC_INVALID_GEOMETRY_ID;
+  valid[lane] = -1;
+}
 
 /// The patches in Embree: what stands still, built once, and the people, built anew each picture.
 /// One thread; two tracers may work in two threads.
@@ -43,8 +66,9 @@ class Tracer {
   Tracer& operator=(const Tracer&) = delete;
 
   void set_people(const std::vector<Patch>& people);
-  /// primID is the patch's number. `coherent`: the rays go nearly the same way.
-  void intersect(Packet& packet, bool coherent) const;
+  /// primID is the patch's number. `coherent`: the rays go nearly the same way. `people`: whether
+  /// the rays may meet anybody.
+  void intersect(Packet& packet, bool coherent, bool people = true) const;
   /// tfar becomes -inf where anything stands between; the hits are left alone.
   void occlude(Packet& packet) const;
 
