@@ -10,8 +10,8 @@
 namespace striate {
 
 struct CorridorSettings {
-  double widest_rad = 0.87;        ///< largest angle between the optical axis and the corridor
-  double least_confidence = 0.25;  ///< below, the view is not valid
+  double widest_rad = 0.87;       ///< largest angle between the optical axis and the corridor
+  double least_confidence = 0.3;  ///< below, the view is not valid
 };
 
 template <class V>

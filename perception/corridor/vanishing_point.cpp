@@ -18,7 +18,6 @@ constexpr float kLongest_px = 45.0F;      // one line cannot count for more
 constexpr float kShortest_px = 8.0F;      // shorter is texture
 constexpr int kCandidates = 6;
 constexpr double kSamePlace_px = 8.0;  // nearer ones are the same place
-constexpr std::size_t kFewestVoters = 20;
 constexpr double kHorizonPrior = 4.0;  // weight of the horizon's row against a line
 
 bool may_vote(const EdgePoint& e, const VanishingSearch& search) {
@@ -203,7 +202,7 @@ VanishingPoint refine(const std::vector<EdgePoint>& voters, const VanishingSearc
       point.u_px = u;
     }
   }
-  if (point.score <= 0.0) return point;
+  if (point.score <= 0.0) point.u_px = candidate_u_px;
   std::vector<Line> lines;
   for (int round = 0; round < 2; ++round) {
     lines = lines_through(voters, point.u_px, point.v_px);
@@ -223,11 +222,11 @@ std::vector<VanishingPoint> find_vanishing_points(const std::vector<EdgePoint>& 
     if (may_vote(e, search)) voters.push_back(e);
   }
   std::vector<VanishingPoint> all;
-  if (voters.size() < kFewestVoters) return all;
   for (const double candidate : best_candidates(vote(voters, search), search)) {
     const VanishingPoint point = refine(voters, search, candidate);
     if (point.lines > 0) all.push_back(point);
   }
+  for (const double u_px : search.also_u_px) all.push_back(refine(voters, search, u_px));
   std::stable_sort(all.begin(), all.end(), [](const VanishingPoint& a, const VanishingPoint& b) {
     return a.score > b.score;
   });

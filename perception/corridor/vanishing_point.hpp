@@ -11,6 +11,7 @@ struct VanishingSearch {
   double horizon_v_px = 0.0;  ///< row of the horizon
   double from_u_px = 0.0;     ///< columns searched, may lie outside the picture
   double to_u_px = 0.0;
+  std::vector<double> also_u_px;  ///< places to judge whatever the edges vote for
 };
 
 struct VanishingPoint {

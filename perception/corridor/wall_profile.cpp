@@ -21,8 +21,9 @@ constexpr double kUpCell_m = 0.3;
 constexpr int kAlongCells = 32;
 constexpr int kUpCells = 9;
 constexpr int kWindow = 2;  // bins to either side of a wall's middle that are the wall
-constexpr double kLeastStructure = 6.0;
-constexpr double kLeastAlong_m = 0.75;
+constexpr double kLeastStructure = 14.0;
+constexpr double kLeastAlong_m = 1.0;
+constexpr double kNearlyMost = 0.5;
 
 using Cells = std::bitset<kAlongCells * kUpCells>;
 using Profile = std::array<Cells, kSideBins>;
@@ -46,17 +47,22 @@ double length_along(const Cells& cells) {
 
 /// `sides`: signed distances to the wall's side of the points, to find the wall's middle.
 Wall strongest_wall(const Profile& profile, const std::vector<float>& sides) {
-  Wall wall;
-  int best = -1;
+  std::array<double, kSideBins> structure{};
+  std::array<double, kSideBins> along_m{};
+  double most = 0.0;
   for (int bin = 0; bin < kSideBins; ++bin) {
     const Cells cells = window_cells(profile, bin);
-    const auto structure = static_cast<double>(cells.count());
-    if (structure <= wall.structure || length_along(cells) < kLeastAlong_m) continue;
-    wall.structure = structure;
-    wall.along_m = length_along(cells);
-    best = bin;
+    along_m[bin] = length_along(cells);
+    if (along_m[bin] < kLeastAlong_m) continue;
+    structure[bin] = static_cast<double>(cells.count());
+    most = std::max(most, structure[bin]);
   }
-  if (best < 0 || wall.structure < kLeastStructure) return {};
+  if (most < kLeastStructure) return {};
+  // The outermost of the strong ones: furniture and people stand inside the walls.
+  int best = kSideBins - 1;
+  while (structure[best] < kNearlyMost * most) --best;
+  while (best > 0 && structure[best - 1] >= structure[best]) --best;
+  Wall wall{kNothing_m, structure[best], along_m[best]};
   const double middle_m = (best + 0.5) * kSideBin_m;
   double sum = 0.0;
   int count = 0;
