@@ -9,7 +9,7 @@
 namespace striate {
 namespace {
 
-constexpr double kLookDown_rad = -0.50;
+constexpr double kLookDown_rad = -0.58;
 constexpr double kGlanceDown_rad = -0.42;
 constexpr double kLookSweep_s = 4.0;
 constexpr double kSweep_rad = 0.9;
