@@ -7,25 +7,15 @@
 
 namespace striate::simulator {
 
-namespace {
-
-template <class Painted>
-std::vector<std::string> names_of(const std::vector<Painted>& painted) {
+std::vector<std::string> surface_names() {
   std::vector<std::string> names;
-  names.reserve(painted.size());
-  for (const Painted& one : painted) names.push_back(one.name);
+  for (const render::Surface& surface : render::surfaces()) names.push_back(surface.name);
   return names;
 }
 
-}  // namespace
-
-const std::vector<std::string>& shipped_materials() {
-  static const std::vector<std::string> names = names_of(render::surfaces());
-  return names;
-}
-
-const std::vector<std::string>& shipped_pictures() {
-  static const std::vector<std::string> names = names_of(render::pictures());
+std::vector<std::string> picture_names() {
+  std::vector<std::string> names;
+  for (const render::Picture& picture : render::pictures()) names.push_back(picture.name);
   return names;
 }
 
@@ -42,6 +32,7 @@ const std::vector<std::string>& object_kinds() {
 
 std::string suggestion(const std::string& wrong, const std::vector<std::string>& names) {
   std::string near = config::suggest(wrong, names);
+  if (near.empty() && names.size() > 20) return "the README of config/worlds lists the names";
   return near.empty() ? fmt::format("there are: {}", fmt::join(names, ", ")) : near;
 }
 
