@@ -1,3 +1,60 @@
-int main() {
-  return 2;
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <exception>
+
+#include "app/commands/commands.hpp"
+#include "config/user_error.hpp"
+
+namespace {
+
+constexpr const char* kAbout =
+    "Striate: a cognitive robot that sees with a model of the visual cortex.\n\n"
+    "Begin here:\n"
+    "  striate run config/tasks/corridor.yaml --world config/worlds/corridor_a.yaml --seed 7\n"
+    "      drives the simulated Pioneer down a 60 m corridor\n"
+    "  striate sim config/worlds/corridor_a.yaml --picture view.png --at \"12 m, 0.2 m, 5 deg\"\n"
+    "      shows what the robot sees at a place of a world\n"
+    "  striate perceive --left L.png --right R.png --out DIR\n"
+    "      shows what the vision makes of any picture pair\n"
+    "  striate check config/tasks/*.yaml config/worlds/*.yaml\n"
+    "      tells every mistake of task scripts, worlds and settings";
+
+constexpr const char* kFooter =
+    "\nExit codes: 0 success, 1 mission failed or something broke, 2 a mistake in what was given,\n"
+    "130 interrupted. 'striate COMMAND --help' explains each command.";
+
+int run(int argc, char** argv) {
+  CLI::App app{kAbout, "striate"};
+  app.footer(kFooter);
+  app.set_version_flag("--version", std::string("striate ") + STRIATE_VERSION);
+  app.require_subcommand(1);
+  app.failure_message(CLI::FailureMessage::simple);
+  int exit_code = 0;
+  striate::add_run_command(app, exit_code);
+  striate::add_trial_command(app, exit_code);
+  striate::add_perceive_command(app, exit_code);
+  striate::add_sim_command(app, exit_code);
+  striate::add_check_command(app, exit_code);
+  striate::add_config_command(app, exit_code);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  }
+  return exit_code;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run(argc, argv);
+  } catch (const striate::UserError& error) {
+    fmt::print(stderr, "{}\n", error.what());
+    return 2;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "striate: {}\n", error.what());
+    return 1;
+  }
 }

@@ -1,0 +1,53 @@
+#pragma once
+
+#include "app/robot_settings.hpp"
+#include "behaviours/arbiter.hpp"
+#include "behaviours/safety_limiter.hpp"
+#include "memory/short_term_memory.hpp"
+#include "perception/perception.hpp"
+#include "platform/interface/robot.hpp"
+#include "tasks/executive.hpp"
+
+namespace striate {
+
+/// What one cycle saw, wanted and did: one way out, for the status line, pictures and tests.
+struct CycleTrace {
+  Senses senses;
+  Percept percept;
+  Wish wish;          ///< what the behaviour wanted
+  MotorCommand sent;  ///< what the limiter let through
+  LimitReason limited_by = LimitReason::none;
+};
+
+/// The whole robot: sees, remembers, wants, moves. `cognitive_cycle.cpp` is the place to start.
+class CognitiveCycle {
+ public:
+  CognitiveCycle(Robot& robot, const RobotSettings& settings, Executive& executive);
+  /// Whatever ends the program, the motors stand.
+  ~CognitiveCycle();
+  CognitiveCycle(const CognitiveCycle&) = delete;
+  CognitiveCycle& operator=(const CognitiveCycle&) = delete;
+
+  /// One cycle; false when the body has ended or the mission is over.
+  bool step();
+
+  [[nodiscard]] const CycleTrace& trace() const { return trace_; }
+  [[nodiscard]] const ShortTermMemory& memory() const { return memory_; }
+  [[nodiscard]] const SafetyLimiter& limiter() const { return limiter_; }
+
+ private:
+  void see();
+  void remember();
+  void want();
+  void move();
+
+  Robot& robot_;
+  Executive& executive_;
+  Perception perception_;
+  ShortTermMemory memory_;
+  Arbiter arbiter_;
+  SafetyLimiter limiter_;
+  CycleTrace trace_;
+};
+
+}  // namespace striate

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+/// Each subcommand of `striate` adds itself to the command line; its callback sets the exit code:
+/// 0 success, 1 mission failed or world broke, 2 a mistake of the user's, 130 interrupted.
+namespace striate {
+
+void add_run_command(CLI::App& app, int& exit_code);
+void add_trial_command(CLI::App& app, int& exit_code);
+void add_perceive_command(CLI::App& app, int& exit_code);
+void add_sim_command(CLI::App& app, int& exit_code);
+void add_check_command(CLI::App& app, int& exit_code);
+void add_config_command(CLI::App& app, int& exit_code);
+
+}  // namespace striate

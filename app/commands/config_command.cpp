@@ -1,0 +1,46 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <string>
+
+#include "app/commands/commands.hpp"
+#include "app/robot_settings.hpp"
+
+namespace striate {
+namespace {
+
+void print_settings(const std::string& file, bool explain) {
+  const std::vector<SettingInForce> settings = settings_in_force(file);
+  std::size_t key_width = 0;
+  std::size_t value_width = 0;
+  for (const SettingInForce& setting : settings) {
+    key_width = std::max(key_width, setting.line.key.size());
+    value_width = std::max(value_width, setting.line.value.size());
+  }
+  for (const SettingInForce& setting : settings) {
+    fmt::print("{:<{}}  {:<{}}  {}\n", setting.line.key, key_width, setting.line.value, value_width,
+               setting.origin);
+    if (explain) fmt::print("    {} ({})\n", setting.line.help, setting.line.allowed);
+  }
+}
+
+}  // namespace
+
+void add_config_command(CLI::App& app, int& exit_code) {
+  struct Options {
+    std::string robot;
+    bool explain = false;
+  };
+  auto options = std::make_shared<Options>();
+  CLI::App* command =
+      app.add_subcommand("config", "Prints every setting in force and where its value came from.");
+  command->add_option("--robot", options->robot, "settings file; without it the defaults");
+  command->add_flag("--explain", options->explain, "with the meaning and range of each");
+  command->callback([options, &exit_code] {
+    print_settings(options->robot, options->explain);
+    exit_code = 0;
+  });
+}
+
+}  // namespace striate

@@ -1,0 +1,121 @@
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "app/commands/commands.hpp"
+#include "app/interrupt.hpp"
+#include "app/mission.hpp"
+#include "app/mission_pictures.hpp"
+#include "app/status_line.hpp"
+
+namespace striate {
+namespace {
+
+struct RunOptions {
+  MissionOptions mission;
+  bool no_emergency = false;
+  int picture_every = 0;
+  std::string pictures;
+  std::string result;
+  bool quiet = false;
+  bool json = false;
+};
+
+std::string status_text(const Mission& mission) {
+  const CognitiveCycle& cycle = mission.cycle();
+  const CycleTrace& trace = cycle.trace();
+  std::string doing(trace.wish.why.view());
+  if (trace.limited_by != LimitReason::none && trace.limited_by != LimitReason::acceleration) {
+    doing += fmt::format(" [limited: {}]", name_of(trace.limited_by));
+  }
+  return fmt::format(
+      "{:5.1f} s  {:5.1f} m  {:.2f} m/s  {:.1f} ms a cycle  {:4.1f} x real time  {}: {}",
+      to_seconds(trace.senses.now), cycle.memory().progress_m(), trace.senses.odometry.forward_m_s,
+      mission.mean_cycle_ms(), mission.realtime_factor(), mission.executive().current_action(),
+      doing);
+}
+
+void print_summary(const RunResult& result, const RunOptions& options) {
+  fmt::print("{} of {} in {}: {}{}\n", result.task, result.seed, result.world, result.outcome,
+             result.reason.empty() ? "" : " (" + result.reason + ")");
+  fmt::print("  goal reached      {}\n", result.reached_goal ? "yes" : "no");
+  fmt::print("  driven            {:.1f} m in {:.0f} s ({:.2f} m/s)\n", result.distance_m,
+             result.duration_s, result.distance_m / std::max(result.duration_s, 0.1));
+  fmt::print("  nearest pass      {:.2f} m\n", result.nearest_pass_m);
+  fmt::print("  emergency stops   {}{}\n", result.emergency_stops,
+             result.emergency_layer ? "" : " (sonar and laser are off)");
+  fmt::print("  longest stand     {:.0f} s\n", result.longest_stand_s);
+  fmt::print("  collisions        {}\n", result.collisions.size());
+  for (const CollisionRecord& hit : result.collisions) {
+    fmt::print("    {:.1f} s: {} ({}) at {:.1f} m, {:+.2f} m, light {:.2f}\n", hit.time_s, hit.hit,
+               hit.moving ? "moving" : "still", hit.along_m, hit.left_m, hit.light_level);
+  }
+  fmt::print("  thinking          {:.1f} ms a cycle, {:.1f} times real time in all\n",
+             result.mean_cycle_ms, result.realtime_factor);
+  if (!options.result.empty()) fmt::print("  record            {}\n", options.result);
+  if (!options.pictures.empty()) fmt::print("  pictures          {}\n", options.pictures);
+}
+
+int exit_code_of(const RunResult& result) {
+  if (result.outcome == "success") return 0;
+  return result.outcome == "interrupted" ? 130 : 1;
+}
+
+int run(const RunOptions& given) {
+  RunOptions options = given;
+  options.mission.emergency_layer = !options.no_emergency;
+  const Interrupt interrupt;
+  Mission mission(options.mission);
+  MissionPictures pictures(options.pictures, options.picture_every);
+  StatusLine status(options.quiet || options.json);
+  const RunResult result = mission.run([&](const Mission& running) {
+    pictures.take(running);
+    if (status.due()) status.show(status_text(running));
+    return Interrupt::requested();
+  });
+  status.clear();
+  pictures.finish(mission, result);
+  const std::string json = to_json(result).dump(2) + "\n";
+  if (!options.result.empty()) write_file(options.result, json);
+  if (options.json) {
+    fmt::print("{}", json);
+  } else if (!options.quiet) {
+    print_summary(result, options);
+  }
+  return exit_code_of(result);
+}
+
+}  // namespace
+
+void add_run_command(CLI::App& app, int& exit_code) {
+  auto options = std::make_shared<RunOptions>();
+  CLI::App* command = app.add_subcommand(
+      "run",
+      "Runs a task script with the simulated Pioneer in a world.\n"
+      "Example: striate run config/tasks/corridor.yaml --world config/worlds/corridor_a.yaml "
+      "--seed 7 --result r.json\n"
+      "Ctrl-C stops the robot, runs the task's 'finally' and still writes the result.");
+  command->add_option("task", options->mission.task, "the task script")->required();
+  command->add_option("--world", options->mission.world, "the world file")->required();
+  command->add_option("--robot", options->mission.robot, "settings of the robot and its mind");
+  command
+      ->add_option("--seed", options->mission.seed,
+                   "start offset, people, noise, odometry: the same seed is the same run")
+      ->capture_default_str();
+  command->add_flag("--no-emergency", options->no_emergency,
+                    "sonar and laser do nothing: vision alone keeps the robot from touching");
+  command
+      ->add_option("--picture-every", options->picture_every,
+                   "an overview picture every so many cycles; 0: none")
+      ->check(CLI::Range(0, 1000000));
+  command->add_option("--pictures", options->pictures,
+                      "folder for overview pictures and the plan of the run");
+  command->add_option("--result", options->result, "JSON file for what came of it");
+  command->add_flag("--quiet", options->quiet, "print nothing");
+  command->add_flag("--json", options->json, "print the result as JSON instead of the summary");
+  command->callback([options, &exit_code] { exit_code = run(*options); });
+}
+
+}  // namespace striate

@@ -1,0 +1,95 @@
+#include <fmt/format.h>
+
+#include <memory>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+#include <string>
+
+#include "app/commands/commands.hpp"
+#include "app/place_text.hpp"
+#include "app/robot_settings.hpp"
+#include "config/user_error.hpp"
+#include "platform/simulator/render/renderer.hpp"
+#include "platform/simulator/world_reader.hpp"
+
+namespace striate {
+namespace {
+
+/// Exposure control adapts from picture to picture; after these it has settled.
+constexpr int kSettlingPictures = 12;
+
+struct SimOptions {
+  std::string world;
+  std::string picture;
+  std::string at;
+  std::string robot;
+  double tilt_deg = -13.0;
+  double pan_deg = 0.0;
+  int width_px = 0;
+  std::uint64_t seed = 1;
+  bool right_eye = false;
+};
+
+int render(const SimOptions& options) {
+  const simulator::World world = simulator::load_world(options.world);
+  const simulator::FloorPlan plan = simulator::build_floor_plan(world);
+  const Pose2 along = options.at.empty() ? world.start : parse_place(options.at);
+  RobotSettings settings = load_robot_settings(options.robot);
+  if (options.width_px > 0) settings.camera.width_px = options.width_px;
+
+  simulator::SceneState scene;
+  const Pose2 base = plan.at(along.x_m, along.y_m);
+  scene.robot = {base.x_m, base.y_m, wrap_angle(base.heading_rad + along.heading_rad)};
+  scene.head = {radians(options.pan_deg), radians(options.tilt_deg)};
+  for (const simulator::Stander& stander : world.standers) {
+    const Pose2 place = plan.at(stander.at.x_m, stander.at.y_m);
+    simulator::PersonState person;
+    person.look = static_cast<int>(scene.people.size());
+    person.pose = {place.x_m, place.y_m, place.heading_rad + stander.heading_rad};
+    scene.people.push_back(person);
+  }
+  simulator::Renderer renderer(world, plan, settings.camera, options.seed);
+  StereoFrame frame;
+  for (int i = 0; i < kSettlingPictures; ++i) {
+    scene.frame = static_cast<std::uint64_t>(i);
+    frame = renderer.picture(scene);
+  }
+  const cv::Mat3b& picture = options.right_eye ? frame.right : frame.left;
+  if (!cv::imwrite(options.picture, picture)) {
+    throw UserError(fmt::format("{}: the picture cannot be written; the name must end in .png",
+                                options.picture));
+  }
+  fmt::print("{}: {} x {} px, at {:.2f} m, {:.2f} m, {:.1f} deg of {}\n", options.picture,
+             picture.cols, picture.rows, along.x_m, along.y_m, degrees(along.heading_rad),
+             world.name);
+  return 0;
+}
+
+}  // namespace
+
+void add_sim_command(CLI::App& app, int& exit_code) {
+  auto options = std::make_shared<SimOptions>();
+  CLI::App* command =
+      app.add_subcommand("sim",
+                         "Renders what the robot's left eye sees at a place of a world.\n"
+                         "Example: striate sim config/worlds/corridor_a.yaml --picture view.png "
+                         "--at \"12 m, 0.2 m, 5 deg\"");
+  command->add_option("world", options->world, "the world file")->required();
+  command->add_option("--picture", options->picture, "PNG to write")->required();
+  command->add_option("--at", options->at,
+                      "along, left of the middle, heading; without it the world's start");
+  command->add_option("--robot", options->robot, "settings of the camera");
+  command->add_option("--tilt", options->tilt_deg, "of the head, degrees, up positive")
+      ->check(CLI::Range(-60.0, 60.0))
+      ->capture_default_str();
+  command->add_option("--pan", options->pan_deg, "of the head, degrees, left positive")
+      ->check(CLI::Range(-120.0, 120.0))
+      ->capture_default_str();
+  command->add_option("--width", options->width_px, "of the picture in px; 4:3")
+      ->check(CLI::Range(32, 2048));
+  command->add_option("--seed", options->seed, "of the camera's noise")->capture_default_str();
+  command->add_flag("--right", options->right_eye, "the right eye instead");
+  command->callback([options, &exit_code] { exit_code = render(*options); });
+}
+
+}  // namespace striate

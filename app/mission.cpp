@@ -1,0 +1,135 @@
+#include "app/mission.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+
+#include "app/renderer_pictures.hpp"
+#include "platform/simulator/world_reader.hpp"
+#include "tasks/task_reader.hpp"
+
+namespace striate {
+namespace {
+
+constexpr double kStands_m_s = 0.01;
+constexpr double kStands_rad_s = 0.02;
+constexpr double kTrailStep_m = 0.1;
+constexpr std::size_t kTrailPoints = 400;
+
+RobotSettings settings_for(const MissionOptions& options) {
+  RobotSettings settings = load_robot_settings(options.robot);
+  if (!options.emergency_layer) settings.safety.emergency_layer = false;
+  // The goal line ends the task, not the body: `finally` is still to be run.
+  settings.simulator.judge.ends_at_goal = false;
+  return settings;
+}
+
+}  // namespace
+
+Mission::Mission(const MissionOptions& options)
+    : options_(options),
+      settings_(settings_for(options)),
+      world_(simulator::load_world(options.world)),
+      plan_(simulator::build_floor_plan(world_)),
+      executive_(load_task(options.task, RobotDescription{})),
+      pictures_(std::make_unique<RendererPictures>(world_, plan_, settings_.camera, options.seed)),
+      body_(std::make_unique<simulator::SimulatedPioneer>(world_, options.seed, settings_.simulator,
+                                                          pictures_.get())),
+      watched_(std::make_unique<StopwatchRobot>(*body_)),
+      cycle_(std::make_unique<CognitiveCycle>(*watched_, settings_, executive_)) {}
+
+RunResult Mission::run(const EachCycle& each_cycle) {
+  try {
+    while (true) {
+      const auto begin = std::chrono::steady_clock::now();
+      const bool goes_on = cycle_->step();
+      wall_s_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+      ++cycles_;
+      one_cycle_on();
+      if (each_cycle(*this)) executive_.interrupt(MissionState::interrupted, "interrupted");
+      if (!goes_on) break;
+    }
+  } catch (const std::exception& error) {
+    lost_ = error.what();
+  }
+  watched_->stop();
+  return result();
+}
+
+void Mission::one_cycle_on() {
+  const Odometry& odometry = cycle_->trace().senses.odometry;
+  const bool stands =
+      std::abs(odometry.forward_m_s) < kStands_m_s && std::abs(odometry.turn_rad_s) < kStands_rad_s;
+  stands_s_ = stands ? stands_s_ + to_seconds(body_->description().cycle) : 0.0;
+  longest_stand_s_ = std::max(longest_stand_s_, stands_s_);
+  const Point2 here{odometry.pose.x_m, odometry.pose.y_m};
+  if (trail_.empty() ||
+      std::hypot(here.x_m - trail_.back().x_m, here.y_m - trail_.back().y_m) > kTrailStep_m) {
+    trail_.push_back(here);
+    if (trail_.size() > kTrailPoints) trail_.pop_front();
+  }
+  watch_the_judge();
+}
+
+void Mission::watch_the_judge() {
+  if (body_->judge().reached_goal()) {
+    executive_.interrupt(MissionState::succeeded, "beyond the goal line");
+  }
+}
+
+double Mission::mean_cycle_ms() const {
+  if (cycles_ == 0) return 0.0;
+  return 1000.0 * (wall_s_ - watched_->sense_s()) / static_cast<double>(cycles_);
+}
+
+double Mission::realtime_factor() const {
+  return wall_s_ > 0.0 ? to_seconds(body_->clock().now()) / wall_s_ : 0.0;
+}
+
+RunResult Mission::result() const {
+  const simulator::Judge& judge = body_->judge();
+  RunResult result;
+  for (const simulator::Collision& hit : judge.collisions()) {
+    result.collisions.push_back(
+        {hit.time_s, hit.along_m, hit.left_m, hit.hit, hit.light_level, hit.moving});
+  }
+  result.reached_goal = judge.reached_goal();
+  result.reason = executive_.reason();
+  if (!lost_.empty()) {
+    result.outcome = "lost";
+    result.reason = lost_;
+  } else if (executive_.state() == MissionState::interrupted) {
+    result.outcome = "interrupted";
+  } else if (!result.collisions.empty()) {
+    result.outcome = "collision";
+    result.reason = "touched " + result.collisions.front().hit;
+  } else if (result.reached_goal) {
+    result.outcome = "success";
+    result.reason.clear();
+  } else if (judge.outcome() == simulator::Outcome::time_up) {
+    result.outcome = "time_over";
+    result.reason = "the judge's time limit has passed";
+  } else if (executive_.state() == MissionState::failed) {
+    result.outcome = "task_failed";
+  } else {
+    result.outcome = "task_ended";
+    result.reason = "the task ended before the goal line";
+  }
+  result.distance_m = judge.distance_driven_m();
+  result.duration_s = to_seconds(body_->clock().now());
+  result.nearest_pass_m = std::min(judge.nearest_pass_m(), 100.0);
+  result.emergency_stops = cycle_->limiter().emergency_stops();
+  result.longest_stand_s = longest_stand_s_;
+  result.cycles = cycles_;
+  result.mean_cycle_ms = mean_cycle_ms();
+  result.realtime_factor = realtime_factor();
+  result.seed = options_.seed;
+  result.world = options_.world;
+  result.task = options_.task;
+  result.emergency_layer = settings_.safety.emergency_layer;
+  return result;
+}
+
+}  // namespace striate

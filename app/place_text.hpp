@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+
+#include "platform/interface/geometry.hpp"
+
+namespace striate {
+
+/// Reads "12 m, 0.2 m, 5 deg": along the corridor, left of its middle, heading (may be left away).
+/// @throws UserError saying what is wrong with it.
+[[nodiscard]] Pose2 parse_place(const std::string& text);
+
+}  // namespace striate

@@ -1,0 +1,61 @@
+#include "app/robot_settings.hpp"
+
+#include <fmt/format.h>
+
+namespace striate {
+namespace {
+
+RobotSettings read(const config::Node& root, config::Mistakes& mistakes) {
+  RobotSettings settings;
+  if (!mistakes.none()) return settings;
+  config::SettingsReader reader(root, "the robot settings", mistakes);
+  visit(reader, settings);
+  reader.finish();
+  return settings;
+}
+
+/// The line where a dotted key stands in the file, 0 if it does not.
+int line_of(const config::Node& root, const std::string& dotted_key) {
+  const config::Node* node = &root;
+  int line = 0;
+  std::size_t begin = 0;
+  while (begin <= dotted_key.size()) {
+    const std::size_t end = std::min(dotted_key.find('.', begin), dotted_key.size());
+    const auto* entry = node->find(dotted_key.substr(begin, end - begin));
+    if (entry == nullptr) return 0;
+    node = &entry->value;
+    line = entry->key_place.line;
+    begin = end + 1;
+  }
+  return line;
+}
+
+}  // namespace
+
+RobotSettings load_robot_settings(const std::string& file) {
+  if (file.empty()) return {};
+  config::Mistakes mistakes(file);
+  const config::Node root = load_yaml(mistakes);
+  RobotSettings settings = read(root, mistakes);
+  mistakes.throw_if_any();
+  return settings;
+}
+
+std::vector<SettingInForce> settings_in_force(const std::string& file) {
+  RobotSettings settings = load_robot_settings(file);
+  config::Node root;
+  if (!file.empty()) {
+    config::Mistakes mistakes(file);
+    root = load_yaml(mistakes);
+  }
+  config::SettingsPrinter printer;
+  visit(printer, settings);
+  std::vector<SettingInForce> list;
+  for (const config::SettingLine& line : printer.lines()) {
+    const int number = line_of(root, line.key);
+    list.push_back({line, number == 0 ? "default" : fmt::format("{}:{}", file, number)});
+  }
+  return list;
+}
+
+}  // namespace striate

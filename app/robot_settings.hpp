@@ -1,0 +1,45 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "behaviours/safety_limiter.hpp"
+#include "config/settings.hpp"
+#include "memory/short_term_memory.hpp"
+#include "perception/perception.hpp"
+#include "platform/simulator/render/renderer.hpp"
+#include "platform/simulator/simulated_pioneer.hpp"
+
+namespace striate {
+
+/// Everything that can be set about a robot and its mind: the file that `--robot` names.
+struct RobotSettings {
+  PerceptionSettings perception;
+  ShortTermMemorySettings memory;
+  SafetyLimiterSettings safety;
+  simulator::CameraSettings camera;
+  simulator::SimulatorSettings simulator;
+};
+
+template <class V>
+void visit(V& v, RobotSettings& s) {
+  v.section("perception", s.perception);
+  v.section("memory", s.memory);
+  v.section("safety", s.safety);
+  v.section("camera", s.camera);
+  v.section("simulator", s.simulator);
+}
+
+/// The defaults, changed by what the file says; "" is the defaults alone.
+/// @throws UserError with all mistakes of the file.
+RobotSettings load_robot_settings(const std::string& file);
+
+/// One setting in force and where its value came from.
+struct SettingInForce {
+  config::SettingLine line;
+  std::string origin;  ///< "default" or "file:line"
+};
+
+[[nodiscard]] std::vector<SettingInForce> settings_in_force(const std::string& file);
+
+}  // namespace striate

@@ -1,0 +1,97 @@
+#include "app/run_result.hpp"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+
+namespace striate {
+namespace {
+
+/// Six decimals: exact enough for people, the same text for the same run.
+double rounded(double value) {
+  return std::round(value * 1e6) / 1e6;
+}
+
+}  // namespace
+
+nlohmann::ordered_json to_json(const RunResult& result) {
+  nlohmann::ordered_json json;
+  json["outcome"] = result.outcome;
+  json["reason"] = result.reason;
+  json["reached_goal"] = result.reached_goal;
+  json["collisions"] = nlohmann::ordered_json::array();
+  for (const CollisionRecord& hit : result.collisions) {
+    json["collisions"].push_back({{"time_s", rounded(hit.time_s)},
+                                  {"along_m", rounded(hit.along_m)},
+                                  {"left_m", rounded(hit.left_m)},
+                                  {"hit", hit.hit},
+                                  {"light_level", rounded(hit.light_level)},
+                                  {"moving", hit.moving}});
+  }
+  json["distance_m"] = rounded(result.distance_m);
+  json["duration_s"] = rounded(result.duration_s);
+  json["nearest_pass_m"] = rounded(result.nearest_pass_m);
+  json["emergency_stops"] = result.emergency_stops;
+  json["longest_stand_s"] = rounded(result.longest_stand_s);
+  json["cycles"] = result.cycles;
+  json["mean_cycle_ms"] = rounded(result.mean_cycle_ms);
+  json["realtime_factor"] = rounded(result.realtime_factor);
+  json["seed"] = result.seed;
+  json["world"] = result.world;
+  json["task"] = result.task;
+  json["emergency_layer"] = result.emergency_layer;
+  return json;
+}
+
+RunResult run_result_from_json(const nlohmann::json& json) {
+  RunResult result;
+  try {
+    json.at("outcome").get_to(result.outcome);
+    json.at("reason").get_to(result.reason);
+    json.at("reached_goal").get_to(result.reached_goal);
+    for (const nlohmann::json& hit : json.at("collisions")) {
+      result.collisions.push_back({hit.at("time_s"), hit.at("along_m"), hit.at("left_m"),
+                                   hit.at("hit"), hit.at("light_level"), hit.at("moving")});
+    }
+    json.at("distance_m").get_to(result.distance_m);
+    json.at("duration_s").get_to(result.duration_s);
+    json.at("nearest_pass_m").get_to(result.nearest_pass_m);
+    json.at("emergency_stops").get_to(result.emergency_stops);
+    json.at("longest_stand_s").get_to(result.longest_stand_s);
+    json.at("cycles").get_to(result.cycles);
+    json.at("mean_cycle_ms").get_to(result.mean_cycle_ms);
+    json.at("realtime_factor").get_to(result.realtime_factor);
+    json.at("seed").get_to(result.seed);
+    json.at("world").get_to(result.world);
+    json.at("task").get_to(result.task);
+    json.at("emergency_layer").get_to(result.emergency_layer);
+  } catch (const nlohmann::json::exception& error) {
+    throw std::runtime_error(fmt::format("not the result of a run: {}", error.what()));
+  }
+  return result;
+}
+
+void write_file(const std::string& path, const std::string& content) {
+  const std::filesystem::path target(path);
+  std::error_code code;
+  if (target.has_parent_path()) std::filesystem::create_directories(target.parent_path(), code);
+  const std::string beside = path + ".part";
+  std::ofstream stream(beside, std::ios::binary | std::ios::trunc);
+  stream << content;
+  stream.close();
+  if (!stream) {
+    const std::string why = std::strerror(errno);
+    std::filesystem::remove(beside, code);
+    throw std::runtime_error(fmt::format("{}: cannot be written: {}", path, why));
+  }
+  std::filesystem::rename(beside, target, code);
+  if (code)
+    throw std::runtime_error(fmt::format("{}: cannot be written: {}", path, code.message()));
+}
+
+}  // namespace striate

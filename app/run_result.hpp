@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+namespace striate {
+
+/// One touch, as the judge saw it.
+struct CollisionRecord {
+  double time_s = 0.0;
+  double along_m = 0.0;  ///< corridor coordinates of the robot
+  double left_m = 0.0;
+  std::string hit;           ///< what was touched: "table 1", "wall left", "person 2"
+  double light_level = 0.0;  ///< 0 dark .. 1 as bright as an office
+  bool moving = false;       ///< what was hit moved by itself
+};
+
+/// What came of one run; `--result` writes it. Only the figures named wall-clock differ between
+/// two runs of the same seed.
+struct RunResult {
+  std::string outcome;  ///< success, collision, task_failed, task_ended, time_over,
+                        ///< interrupted, lost
+  std::string reason;   ///< in words; empty for a success
+  bool reached_goal = false;
+  std::vector<CollisionRecord> collisions;
+  double distance_m = 0.0;       ///< truly driven
+  double duration_s = 0.0;       ///< simulated
+  double nearest_pass_m = 0.0;   ///< smallest distance of the robot's outline to anything
+  int emergency_stops = 0;       ///< how often sonar, laser or bumper stepped in
+  double longest_stand_s = 0.0;  ///< longest time without moving
+  std::uint64_t cycles = 0;
+  double mean_cycle_ms = 0.0;    ///< wall-clock: seeing, remembering, wanting, moving
+  double realtime_factor = 0.0;  ///< wall-clock: simulated over real time
+  std::uint64_t seed = 0;
+  std::string world;
+  std::string task;
+  bool emergency_layer = true;
+};
+
+[[nodiscard]] nlohmann::ordered_json to_json(const RunResult& result);
+/// @throws std::runtime_error where the JSON is no result of a run.
+[[nodiscard]] RunResult run_result_from_json(const nlohmann::json& json);
+
+/// Writes beside the target and renames, so that no half-written result is ever seen.
+/// @throws std::runtime_error saying which file and why.
+void write_file(const std::string& path, const std::string& content);
+
+}  // namespace striate

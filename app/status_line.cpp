@@ -1,0 +1,53 @@
+#include "app/status_line.hpp"
+
+#include <fmt/format.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <cstdio>
+
+namespace striate {
+namespace {
+
+std::size_t terminal_width() {
+  winsize size{};
+  if (ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 20) return size.ws_col;
+  return 100;
+}
+
+}  // namespace
+
+StatusLine::StatusLine(bool quiet)
+    : quiet_(quiet), terminal_(isatty(STDERR_FILENO) == 1), last_(WallClock::time_point::min()) {}
+
+StatusLine::~StatusLine() {
+  clear();
+}
+
+bool StatusLine::due() const {
+  if (quiet_) return false;
+  if (last_ == WallClock::time_point::min()) return true;
+  return WallClock::now() - last_ >
+         (terminal_ ? std::chrono::milliseconds(100) : std::chrono::milliseconds(10000));
+}
+
+void StatusLine::show(const std::string& text) {
+  if (quiet_) return;
+  last_ = WallClock::now();
+  if (terminal_) {
+    fmt::print(stderr, "\r\033[K{}", text.substr(0, terminal_width() - 1));
+    shown_ = true;
+  } else {
+    fmt::print(stderr, "{}\n", text);
+  }
+  std::fflush(stderr);
+}
+
+void StatusLine::clear() {
+  if (!terminal_ || !shown_) return;
+  fmt::print(stderr, "\r\033[K");
+  std::fflush(stderr);
+  shown_ = false;
+}
+
+}  // namespace striate

@@ -1,0 +1,155 @@
+#include "app/trial/trial.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+
+#include "app/interrupt.hpp"
+#include "app/run_result.hpp"
+#include "app/status_line.hpp"
+#include "app/trial/process_pool.hpp"
+#include "app/trial/trial_table.hpp"
+#include "config/user_error.hpp"
+
+namespace striate {
+namespace {
+
+/// The finished run in this file, nothing if there is none yet or it was interrupted.
+std::optional<RunResult> finished(const TrialRun& run, const TrialOptions& options) {
+  std::ifstream stream(run.result_file);
+  if (!stream) return std::nullopt;
+  const auto json = nlohmann::json::parse(stream, nullptr, false);
+  if (json.is_discarded()) return std::nullopt;
+  RunResult result;
+  try {
+    result = run_result_from_json(json);
+  } catch (const std::runtime_error&) {
+    return std::nullopt;
+  }
+  if (result.world != run.world || result.task != options.task ||
+      result.emergency_layer != options.emergency_layer) {
+    throw UserError(fmt::format(
+        "{}: holds a run of another trial ({}, {}, emergency layer {})\n"
+        "    give another --out folder, or remove this one",
+        run.result_file, result.world, result.task, result.emergency_layer ? "on" : "off"));
+  }
+  if (result.outcome == "interrupted" || result.outcome == "lost") return std::nullopt;
+  return result;
+}
+
+void check_options(const TrialOptions& options) {
+  for (const std::string& world : options.worlds) {
+    if (!std::filesystem::is_regular_file(world)) {
+      throw UserError(fmt::format("{}: there is no such world file", world));
+    }
+    for (const std::string& other : options.worlds) {
+      if (&other != &world && world_name(other) == world_name(world)) {
+        throw UserError(fmt::format("two worlds have the same name: {} and {}", world, other));
+      }
+    }
+  }
+}
+
+class Trial {
+ public:
+  explicit Trial(const TrialOptions& options)
+      : options_(options),
+        runs_(plan_trial(options)),
+        results_(runs_.size()),
+        status_(options.quiet) {
+    for (std::size_t i = 0; i < runs_.size(); ++i) {
+      results_[i] = finished(runs_[i], options_);
+      if (!results_[i]) missing_.push_back(i);
+    }
+  }
+
+  int run() {
+    std::filesystem::create_directories(options_.out + "/runs");
+    const std::string program = std::filesystem::canonical("/proc/self/exe").string();
+    std::vector<std::vector<std::string>> commands;
+    for (const std::size_t i : missing_) {
+      commands.push_back(command_of(runs_[i], options_, program));
+    }
+    started_ = std::chrono::steady_clock::now();
+    show();
+    run_processes(
+        commands, options_.jobs, [this](const ProcessEnd& end) { take(end); },
+        Interrupt::requested);
+    status_.clear();
+    write();
+    fmt::print("{}", trial_table(done()));
+    if (Interrupt::requested()) {
+      fmt::print("\ninterrupted: {} of {} runs are done; the same command goes on from here\n",
+                 done().size(), runs_.size());
+      return 130;
+    }
+    return failures_ == 0 ? 0 : 1;
+  }
+
+ private:
+  [[nodiscard]] std::vector<RunResult> done() const {
+    std::vector<RunResult> list;
+    for (const auto& result : results_) {
+      if (result) list.push_back(*result);
+    }
+    return list;
+  }
+
+  void take(const ProcessEnd& end) {
+    const std::size_t index = missing_[end.job];
+    results_[index] = finished(runs_[index], options_);
+    if (!results_[index] && !Interrupt::requested()) {
+      ++failures_;
+      status_.clear();
+      fmt::print(stderr, "{} seed {} gave no result (exit code {}):\n{}\n", runs_[index].world,
+                 runs_[index].seed, end.exit_code, end.output);
+    }
+    write();
+    show();
+  }
+
+  void write() const {
+    const std::vector<RunResult> list = done();
+    write_file(options_.out + "/runs.csv", runs_csv(list));
+    if (!list.empty()) write_file(options_.out + "/table.md", trial_table(list));
+  }
+
+  void show() {
+    const std::vector<RunResult> list = done();
+    int successes = 0;
+    for (const RunResult& result : list) successes += result.outcome == "success" ? 1 : 0;
+    const double elapsed_s =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - started_).count();
+    const std::size_t now_done = list.size() - (runs_.size() - missing_.size());
+    const std::string left =
+        now_done == 0 ? ""
+                      : fmt::format(", about {:.0f} min left",
+                                    elapsed_s / static_cast<double>(now_done) *
+                                        static_cast<double>(runs_.size() - list.size()) / 60.0);
+    const std::size_t bar = runs_.empty() ? 0 : 30 * list.size() / runs_.size();
+    status_.show(fmt::format("[{}{}] {} of {} runs, {} without collision{}", std::string(bar, '#'),
+                             std::string(30 - bar, '.'), list.size(), runs_.size(), successes,
+                             left));
+  }
+
+  const TrialOptions& options_;
+  std::vector<TrialRun> runs_;
+  std::vector<std::optional<RunResult>> results_;
+  std::vector<std::size_t> missing_;
+  StatusLine status_;
+  std::chrono::steady_clock::time_point started_;
+  int failures_ = 0;
+};
+
+}  // namespace
+
+int run_trial(const TrialOptions& options) {
+  check_options(options);
+  const Interrupt interrupt;
+  return Trial(options).run();
+}
+
+}  // namespace striate

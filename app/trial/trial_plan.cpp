@@ -1,0 +1,46 @@
+#include "app/trial/trial_plan.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+namespace striate {
+
+std::string world_name(const std::string& file) {
+  return std::filesystem::path(file).stem().string();
+}
+
+std::vector<TrialRun> plan_trial(const TrialOptions& options) {
+  std::vector<TrialRun> runs;
+  for (const std::string& world : options.worlds) {
+    for (int i = 0; i < options.runs; ++i) {
+      const std::uint64_t seed = options.first_seed + static_cast<std::uint64_t>(i);
+      const std::string file =
+          fmt::format("{}/runs/{}_seed{:03d}.json", options.out, world_name(world), seed);
+      runs.push_back({world, seed, file});
+    }
+  }
+  return runs;
+}
+
+std::vector<std::string> command_of(const TrialRun& run, const TrialOptions& options,
+                                    const std::string& program) {
+  std::vector<std::string> command = {program,
+                                      "run",
+                                      options.task,
+                                      "--world",
+                                      run.world,
+                                      "--seed",
+                                      fmt::format("{}", run.seed),
+                                      "--quiet",
+                                      "--result",
+                                      run.result_file};
+  if (!options.emergency_layer) command.emplace_back("--no-emergency");
+  if (!options.robot.empty()) {
+    command.emplace_back("--robot");
+    command.push_back(options.robot);
+  }
+  return command;
+}
+
+}  // namespace striate

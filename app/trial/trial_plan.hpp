@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace striate {
+
+/// What `striate trial` is asked for.
+struct TrialOptions {
+  std::vector<std::string> worlds;
+  std::string task = "config/tasks/corridor.yaml";
+  std::string robot;  ///< settings file; empty: the built-in defaults
+  int runs = 20;      ///< of each world
+  int jobs = 1;       ///< how many at once
+  std::uint64_t first_seed = 1;
+  bool emergency_layer = true;
+  std::string out;
+  bool quiet = false;
+};
+
+/// One run of a trial.
+struct TrialRun {
+  std::string world;
+  std::uint64_t seed = 0;
+  std::string result_file;  ///< JSON, written by the run itself
+};
+
+/// All runs in the order of the table: worlds as named, seeds upwards.
+[[nodiscard]] std::vector<TrialRun> plan_trial(const TrialOptions& options);
+
+/// The command line of one run, program first.
+[[nodiscard]] std::vector<std::string> command_of(const TrialRun& run, const TrialOptions& options,
+                                                  const std::string& program);
+
+/// "corridor_a" from "config/worlds/corridor_a.yaml".
+[[nodiscard]] std::string world_name(const std::string& file);
+
+}  // namespace striate

@@ -1,0 +1,155 @@
+#include "app/trial/trial_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "app/trial/trial_plan.hpp"
+
+namespace striate {
+namespace {
+
+/// The paper, section on the corridor runs: 20 runs of each setup without collision.
+struct PaperFigure {
+  const char* setup;
+  int successes;
+};
+constexpr PaperFigure kPaper[] = {{"corridor_a", 17}, {"corridor_b", 16}, {"corridor_c", 16}};
+
+struct Row {
+  std::string name;
+  int runs = 0;
+  int successes = 0;
+  int touched = 0;
+  int emergency_stops = 0;
+  double time_s = 0.0;  ///< over the successful runs
+  double distance_m = 0.0;
+  double nearest_m = std::numeric_limits<double>::infinity();
+  double longest_stand_s = 0.0;
+};
+
+void add(Row& row, const RunResult& result) {
+  ++row.runs;
+  row.touched += result.collisions.empty() ? 0 : 1;
+  row.emergency_stops += result.emergency_stops;
+  row.longest_stand_s = std::max(row.longest_stand_s, result.longest_stand_s);
+  if (result.outcome != "success") return;
+  ++row.successes;
+  row.time_s += result.duration_s;
+  row.distance_m += result.distance_m;
+  row.nearest_m = std::min(row.nearest_m, result.nearest_pass_m);
+}
+
+std::string paper_of(const std::string& name) {
+  for (const PaperFigure& figure : kPaper) {
+    if (name == figure.setup) return fmt::format("{} / 20", figure.successes);
+  }
+  return "";
+}
+
+std::string line_of(const Row& row) {
+  const Interval interval = wilson_interval(row.successes, row.runs);
+  const std::string speed =
+      row.time_s > 0.0 ? fmt::format("{:.2f} m/s", row.distance_m / row.time_s) : "";
+  const std::string nearest =
+      std::isfinite(row.nearest_m) ? fmt::format("{:.2f} m", row.nearest_m) : "";
+  return fmt::format(
+      "| {} | {} / {} | {:.0f} % | {:.0f} to {:.0f} % | {} | {} | {} | {} | {:.2f} | {:.0f} s |\n",
+      row.name, row.successes, row.runs, 100.0 * row.successes / row.runs, 100.0 * interval.low,
+      100.0 * interval.high, paper_of(row.name), row.touched, speed, nearest,
+      static_cast<double>(row.emergency_stops) / row.runs, row.longest_stand_s);
+}
+
+std::string without_number(std::string name) {
+  while (!name.empty() && (std::isdigit(static_cast<unsigned char>(name.back())) != 0 ||
+                           name.back() == ' ' || name.back() == '_')) {
+    name.pop_back();
+  }
+  return name;
+}
+
+std::string causes(const std::vector<RunResult>& results) {
+  std::map<std::string, int> counts;
+  for (const RunResult& result : results) {
+    if (result.outcome == "success") continue;
+    if (result.collisions.empty()) {
+      ++counts[fmt::format("{}: {}", result.outcome, result.reason)];
+      continue;
+    }
+    const CollisionRecord& hit = result.collisions.front();
+    ++counts[fmt::format("touched {}, {}, {}", without_number(hit.hit),
+                         hit.moving ? "moving" : "still",
+                         hit.light_level < 0.3 ? "in the dark" : "in light")];
+  }
+  std::string text;
+  for (const auto& [cause, count] : counts) text += fmt::format("- {} x {}\n", count, cause);
+  return text;
+}
+
+}  // namespace
+
+Interval wilson_interval(int successes, int runs) {
+  if (runs <= 0) return {};
+  constexpr double kZ = 1.959964;
+  const double n = runs;
+  const double p = successes / n;
+  const double centre = (p + kZ * kZ / (2.0 * n)) / (1.0 + kZ * kZ / n);
+  const double half =
+      kZ / (1.0 + kZ * kZ / n) * std::sqrt(p * (1.0 - p) / n + kZ * kZ / (4.0 * n * n));
+  return {std::max(0.0, centre - half), std::min(1.0, centre + half)};
+}
+
+std::string runs_csv(const std::vector<RunResult>& results) {
+  std::string csv =
+      "world,seed,outcome,reached_goal,collisions,first_hit,hit_moving,hit_light_level,hit_time_s,"
+      "hit_along_m,hit_left_m,distance_m,duration_s,nearest_pass_m,emergency_stops,"
+      "longest_stand_s,mean_cycle_ms,realtime_factor,emergency_layer,reason\n";
+  for (const RunResult& r : results) {
+    csv += fmt::format("{},{},{},{},{},", world_name(r.world), r.seed, r.outcome, r.reached_goal,
+                       r.collisions.size());
+    if (r.collisions.empty()) {
+      csv += ",,,,,,";
+    } else {
+      const CollisionRecord& hit = r.collisions.front();
+      csv += fmt::format("{},{},{:.3f},{:.2f},{:.3f},{:.3f},", hit.hit, hit.moving, hit.light_level,
+                         hit.time_s, hit.along_m, hit.left_m);
+    }
+    std::string reason = r.reason;
+    std::replace(reason.begin(), reason.end(), '"', '\'');
+    csv += fmt::format("{:.3f},{:.2f},{:.4f},{},{:.1f},{:.3f},{:.2f},{},\"{}\"\n", r.distance_m,
+                       r.duration_s, r.nearest_pass_m, r.emergency_stops, r.longest_stand_s,
+                       r.mean_cycle_ms, r.realtime_factor, r.emergency_layer, reason);
+  }
+  return csv;
+}
+
+std::string trial_table(const std::vector<RunResult>& results) {
+  std::vector<Row> rows;
+  Row total;
+  total.name = "all";
+  for (const RunResult& result : results) {
+    const std::string name = world_name(result.world);
+    auto row = std::find_if(rows.begin(), rows.end(), [&](const Row& r) { return r.name == name; });
+    if (row == rows.end()) {
+      rows.push_back({});
+      row = rows.end() - 1;
+      row->name = name;
+    }
+    add(*row, result);
+    add(total, result);
+  }
+  std::string text =
+      "| world | success | rate | 95 % interval | paper | touched | mean speed | nearest pass | "
+      "emergency stops a run | longest stand |\n"
+      "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n";
+  for (const Row& row : rows) text += line_of(row);
+  if (rows.size() > 1) text += line_of(total);
+  const std::string failures = causes(results);
+  if (!failures.empty()) text += "\nWhat went wrong:\n" + failures;
+  return text;
+}
+
+}  // namespace striate

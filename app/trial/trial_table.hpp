@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/run_result.hpp"
+
+namespace striate {
+
+/// A 95 % interval of a success rate.
+struct Interval {
+  double low = 0.0;
+  double high = 1.0;
+};
+
+/// Wilson's score interval: right also for 20 of 20.
+[[nodiscard]] Interval wilson_interval(int successes, int runs);
+
+/// `runs.csv`: one row a run, in the order given.
+[[nodiscard]] std::string runs_csv(const std::vector<RunResult>& results);
+
+/// The table that `striate trial` prints: one row a world with the paper's figure beside it,
+/// then the collisions by what was hit. Markdown, so that it can stand in a README.
+[[nodiscard]] std::string trial_table(const std::vector<RunResult>& results);
+
+}  // namespace striate

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "behaviours/behaviour.hpp"
+#include "behaviours/straight_line.hpp"
+#include "config/settings.hpp"
+#include "platform/interface/robot.hpp"
+
+namespace striate {
+
+/// Drives straight back over a distance: slowly, because no eye looks there.
+class BackUp : public Behaviour {
+ public:
+  struct Settings {
+    double distance_m = 0.3;
+    double speed_m_s = 0.12;
+  };
+  BackUp(const Settings& settings, const RobotDescription& /*robot*/)
+      : line_(settings.distance_m, -settings.speed_m_s) {}
+  void start(const ShortTermMemory& memory) override { line_.start(memory); }
+  Wish tick(const ShortTermMemory& memory) override { return line_.tick(memory); }
+
+ private:
+  StraightLine line_;
+};
+
+template <class V>
+void visit(V& v, BackUp::Settings& s) {
+  using config::Unit;
+  v.number("distance", s.distance_m, Unit::length, {0.02, 5}, "how far");
+  v.number("speed", s.speed_m_s, Unit::speed, {0.03, 0.3}, "how fast");
+}
+
+}  // namespace striate

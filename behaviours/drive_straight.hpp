@@ -1,0 +1,33 @@
+#pragma once
+
+#include "behaviours/behaviour.hpp"
+#include "behaviours/straight_line.hpp"
+#include "config/settings.hpp"
+#include "platform/interface/robot.hpp"
+
+namespace striate {
+
+/// Drives straight ahead over a distance, keeping the heading it began with.
+class DriveStraight : public Behaviour {
+ public:
+  struct Settings {
+    double distance_m = 1.0;
+    double speed_m_s = 0.30;
+  };
+  DriveStraight(const Settings& settings, const RobotDescription& /*robot*/)
+      : line_(settings.distance_m, settings.speed_m_s) {}
+  void start(const ShortTermMemory& memory) override { line_.start(memory); }
+  Wish tick(const ShortTermMemory& memory) override { return line_.tick(memory); }
+
+ private:
+  StraightLine line_;
+};
+
+template <class V>
+void visit(V& v, DriveStraight::Settings& s) {
+  using config::Unit;
+  v.number("distance", s.distance_m, Unit::length, {0.02, 100}, "how far");
+  v.number("speed", s.speed_m_s, Unit::speed, {0.05, 0.75}, "how fast");
+}
+
+}  // namespace striate

@@ -1,0 +1,55 @@
+#include "behaviours/look_around.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace striate {
+namespace {
+
+struct Gaze {
+  double pan_share;
+  double tilt_rad;
+};
+constexpr double kNear_rad = -0.5;
+constexpr std::array<Gaze, 6> kGazes{Gaze{0.0, kNear_rad},        Gaze{1.0, kNear_rad},
+                                     Gaze{1.0, kRestingTilt_rad}, Gaze{-1.0, kRestingTilt_rad},
+                                     Gaze{-1.0, kNear_rad},       Gaze{0.0, kRestingTilt_rad}};
+constexpr double kThere_rad = 0.05;
+constexpr double kLongest_s = 4.0;  // a head that does not get there is not waited for
+
+}  // namespace
+
+LookAround::LookAround(const Settings& settings, const RobotDescription& robot)
+    : settings_(settings), robot_(robot) {
+  settings_.pan_rad = std::min(settings_.pan_rad, robot_.max_pan_rad);
+}
+
+void LookAround::start(const ShortTermMemory& memory) {
+  step_ = 0;
+  there_ = false;
+  step_began_ = memory.now();
+}
+
+Wish LookAround::tick(const ShortTermMemory& memory) {
+  if (step_ >= static_cast<int>(kGazes.size())) {
+    return final_wish(memory, Progress::succeeded, "looked round");
+  }
+  const Gaze& gaze = kGazes[static_cast<std::size_t>(step_)];
+  Wish wish = standing_wish(memory, "looks round");
+  wish.pan_rad = gaze.pan_share * settings_.pan_rad;
+  wish.tilt_rad = std::max(gaze.tilt_rad, -robot_.max_tilt_rad);
+  const bool there = std::abs(memory.head().pan_rad - wish.pan_rad) < kThere_rad &&
+                     std::abs(memory.head().tilt_rad - wish.tilt_rad) < kThere_rad;
+  if (there && !there_) arrived_ = memory.now();
+  there_ = there;
+  const bool seen = there_ && to_seconds(memory.now() - arrived_) >= settings_.dwell_s;
+  if (seen || to_seconds(memory.now() - step_began_) > kLongest_s + settings_.dwell_s) {
+    ++step_;
+    there_ = false;
+    step_began_ = memory.now();
+  }
+  return wish;
+}
+
+}  // namespace striate

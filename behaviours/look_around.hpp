@@ -1,0 +1,36 @@
+#pragma once
+
+#include "behaviours/behaviour.hpp"
+#include "config/settings.hpp"
+#include "platform/interface/robot.hpp"
+
+namespace striate {
+
+/// Turns the head to the left, to the right and back, looking far and then near on each side.
+class LookAround : public Behaviour {
+ public:
+  struct Settings {
+    double pan_rad = 1.0472;
+    double dwell_s = 0.7;
+  };
+  LookAround(const Settings& settings, const RobotDescription& robot);
+  void start(const ShortTermMemory& memory) override;
+  Wish tick(const ShortTermMemory& memory) override;
+
+ private:
+  Settings settings_;
+  RobotDescription robot_;
+  int step_ = 0;
+  TimePoint step_began_{};
+  TimePoint arrived_{};
+  bool there_ = false;
+};
+
+template <class V>
+void visit(V& v, LookAround::Settings& s) {
+  using config::Unit;
+  v.number("pan", s.pan_rad, Unit::angle, {0.05, 1.6}, "how far to each side");
+  v.number("dwell", s.dwell_s, Unit::duration, {0.1, 30}, "how long it looks each time");
+}
+
+}  // namespace striate

@@ -1,0 +1,62 @@
+#pragma once
+
+#include "behaviours/floor_field.hpp"
+#include "behaviours/path_planner.hpp"
+#include "config/settings.hpp"
+#include "memory/short_term_memory.hpp"
+#include "platform/interface/robot.hpp"
+
+namespace striate {
+
+/// How fast is fast enough to be safe. Ours.
+struct PaceSettings {
+  double unknown_m_s = 0.20;
+  double narrow_m_s = 0.15;
+  double roomy_m = 0.35;
+  double latency_s = 0.35;
+  double dark_below = 0.12;
+  double noisy_above = 6.0;
+  double dim_share = 0.6;
+  double moving_stop_m = 0.95;
+  double moving_slow_m = 2.2;
+};
+
+template <class V>
+void visit(V& v, PaceSettings& s) {
+  using config::Unit;
+  v.number("unknown", s.unknown_m_s, Unit::speed, {0.05, 0.5}, "speed over floor not seen free");
+  v.number("narrow", s.narrow_m_s, Unit::speed, {0.05, 0.5}, "speed in the narrowest gaps");
+  v.number("roomy", s.roomy_m, Unit::length, {0.1, 1}, "room beside the flanks for full speed");
+  v.number("latency", s.latency_s, Unit::duration, {0, 2}, "from light to braking");
+  v.number("dark_below", s.dark_below, Unit::fraction, {0, 1}, "light level that counts as dark");
+  v.number("noisy_above", s.noisy_above, Unit::none, {0, 50},
+           "noise in grey levels that counts as dark");
+  v.number("dim_share", s.dim_share, Unit::fraction, {0.1, 1}, "share of the speed in the dark");
+  v.number("moving_stop", s.moving_stop_m, Unit::length, {0.3, 3},
+           "something moving nearer than this: stand");
+  v.number("moving_slow", s.moving_slow_m, Unit::length, {0.5, 5},
+           "something moving nearer than this: slow down");
+}
+
+/// The speed that what is known allows, and what held it down most.
+struct Pace {
+  double speed_m_s = 0.0;
+  const char* reason = "";
+  double known_free_m = 0.0;        ///< of the way ahead, from the axle
+  double unknown_near_share = 0.0;  ///< of the next two metres of the way
+  bool waits_for_mover = false;
+  double mover_m = kNothing_m;  ///< the nearest thing that moves in front
+  double mover_rad = 0.0;       ///< its bearing
+};
+
+/// The nearest thing that moves in front, within the robot's lane; distance kNothing_m if none.
+struct Mover {
+  double distance_m = kNothing_m;
+  double bearing_rad = 0.0;
+};
+[[nodiscard]] Mover nearest_mover(const ShortTermMemory& memory, double half_lane_m);
+
+[[nodiscard]] Pace pace_for(const PaceSettings& settings, const RobotDescription& robot,
+                            const ShortTermMemory& memory, const FloorField& field, const Way& way);
+
+}  // namespace striate

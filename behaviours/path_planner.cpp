@@ -1,0 +1,180 @@
+#include "behaviours/path_planner.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace striate {
+namespace {
+
+constexpr float kClosed = -1.0F;
+constexpr float kInfinite = std::numeric_limits<float>::infinity();
+constexpr double kComfort_m = 0.35;     // margin beside the flanks that costs nothing
+constexpr double kCrowdingPrice = 5.0;  // at no margin at all
+constexpr double kUnknownPrice = 1.4;
+constexpr double kOutsidePrice = 6.0;
+constexpr double kOutsideTolerance_m = 0.15;
+constexpr double kEdgePrice = 1.6;
+constexpr double kEdgeComfort_m = 0.25;
+constexpr double kOffLinePrice = 0.30;  // per square metre off the wanted line
+constexpr double kOffLineMost = 1.2;
+constexpr double kHabit = 0.80;     // on the way chosen before
+constexpr int kHabitReach = 3;      // cells
+constexpr double kEscape_m = 0.35;  // round the robot nothing is closed: it stands there
+constexpr double kEscapePrice = 8.0;
+constexpr double kLeastAdvance_m = 0.45;  // a way that gets less far is none
+constexpr float kProgressWorth = 5.0F;    // price that a metre of advance may cost
+
+}  // namespace
+
+PathPlanner::PathPlanner() : price_(kNodes), cost_(kNodes), from_(kNodes), chosen_(kNodes) {
+  queue_.reserve(static_cast<std::size_t>(kNodes) * 8);
+}
+
+Point2 PathPlanner::place_of(int node) const {
+  const int along = node / kWide - kBehind;
+  const int aside = node % kWide - kAside;
+  return to_outer(frame_, Point2{along * kStep_m, aside * kStep_m});
+}
+
+const Way& PathPlanner::plan(const FloorField& field, const Pose2& robot,
+                             const PlanRequest& request) {
+  frame_ = {robot.x_m, robot.y_m, request.direction_rad};
+  mark_last_way();
+  price(field, request);
+  spread();
+  way_.found = false;
+  way_.count = 0;
+  const int end = best_end();
+  if (end >= 0) trace(end, field, request);
+  return way_;
+}
+
+void PathPlanner::mark_last_way() {
+  std::fill(chosen_.begin(), chosen_.end(), std::uint8_t{0});
+  if (!way_.found) return;
+  for (std::size_t i = 0; i < way_.count; ++i) {
+    const Point2 place = to_inner(frame_, way_.points[i]);
+    const int along = static_cast<int>(std::lround(place.x_m / kStep_m)) + kBehind;
+    const int aside = static_cast<int>(std::lround(place.y_m / kStep_m)) + kAside;
+    if (along < 0 || along >= kLong) continue;
+    for (int k = std::max(0, aside - kHabitReach); k <= std::min(kWide - 1, aside + kHabitReach);
+         ++k) {
+      chosen_[static_cast<std::size_t>(along * kWide + k)] = 1;
+    }
+  }
+}
+
+float PathPlanner::price_of(const FloorField& field, const PlanRequest& request, int node) const {
+  const Point2 place = place_of(node);
+  const Point2 inner{(node / kWide - kBehind) * kStep_m, (node % kWide - kAside) * kStep_m};
+  const double margin_m = field.clearance_m(place) - request.half_width_m;
+  const FloorState state = field.state(place);
+  // Beyond a remembered wall unknown is not a way: a blank wall leaves no trace in the map.
+  const bool past_wall = inner.y_m > request.left_wall_m - request.half_width_m ||
+                         -inner.y_m > request.right_wall_m - request.half_width_m;
+  double price = 1.0;
+  if (margin_m < request.least_margin_m || (past_wall && state != FloorState::free)) {
+    if (std::hypot(inner.x_m, inner.y_m) > kEscape_m) return kClosed;
+    price += kEscapePrice;
+  }
+  const double crowding = std::clamp(1.0 - margin_m / kComfort_m, 0.0, 1.0);
+  price += kCrowdingPrice * crowding * crowding;
+  if (state != FloorState::free) {
+    price += kUnknownPrice;
+    // Where the corridor should have ended unknown floor is hardly a way.
+    const double out_m = std::abs(inner.y_m - request.middle_left_m) + request.half_width_m -
+                         request.half_corridor_m;
+    if (out_m > kOutsideTolerance_m) price += kOutsidePrice;
+  }
+  // A wall too plain to see shows as the edge of what is known.
+  const double edge_m = field.seen_clearance_m(place) - request.half_width_m;
+  const double edging = std::clamp(1.0 - edge_m / kEdgeComfort_m, 0.0, 1.0);
+  price += kEdgePrice * edging * edging;
+  const double off_m = inner.y_m - request.wanted_left_m;
+  price += std::min(kOffLineMost, kOffLinePrice * off_m * off_m);
+  if (chosen_[static_cast<std::size_t>(node)] != 0) price *= kHabit;
+  return static_cast<float>(price);
+}
+
+void PathPlanner::price(const FloorField& field, const PlanRequest& request) {
+  for (int node = 0; node < kNodes; ++node) {
+    price_[static_cast<std::size_t>(node)] = price_of(field, request, node);
+  }
+}
+
+void PathPlanner::relax(int node, float cost, int along, int aside) {
+  if (along < 0 || along >= kLong || aside < 0 || aside >= kWide) return;
+  const int next = along * kWide + aside;
+  const float price = price_[static_cast<std::size_t>(next)];
+  if (price < 0.0F) return;
+  const bool diagonal = along != node / kWide && aside != node % kWide;
+  const auto length_m = static_cast<float>(diagonal ? kStep_m * 1.41421356 : kStep_m);
+  const float total =
+      cost + 0.5F * length_m * (price + std::max(0.0F, price_[static_cast<std::size_t>(node)]));
+  if (total >= cost_[static_cast<std::size_t>(next)]) return;
+  cost_[static_cast<std::size_t>(next)] = total;
+  from_[static_cast<std::size_t>(next)] = node;
+  queue_.push_back({total, next});
+  std::push_heap(queue_.begin(), queue_.end(),
+                 [](const Queued& a, const Queued& b) { return a.cost > b.cost; });
+}
+
+void PathPlanner::spread() {
+  std::fill(cost_.begin(), cost_.end(), kInfinite);
+  std::fill(from_.begin(), from_.end(), -1);
+  queue_.clear();
+  const int start = kBehind * kWide + kAside;
+  cost_[static_cast<std::size_t>(start)] = 0.0F;
+  queue_.push_back({0.0F, start});
+  while (!queue_.empty()) {
+    std::pop_heap(queue_.begin(), queue_.end(),
+                  [](const Queued& a, const Queued& b) { return a.cost > b.cost; });
+    const Queued top = queue_.back();
+    queue_.pop_back();
+    if (top.cost > cost_[static_cast<std::size_t>(top.node)]) continue;
+    const int along = top.node / kWide;
+    const int aside = top.node % kWide;
+    for (int da = -1; da <= 1; ++da) {
+      for (int ds = -1; ds <= 1; ++ds) {
+        if (da != 0 || ds != 0) relax(top.node, top.cost, along + da, aside + ds);
+      }
+    }
+  }
+}
+
+int PathPlanner::best_end() const {
+  int best = -1;
+  float least = kInfinite;
+  for (int node = 0; node < kNodes; ++node) {
+    const float cost = cost_[static_cast<std::size_t>(node)];
+    const double advance_m = (node / kWide - kBehind) * kStep_m;
+    if (cost == kInfinite || advance_m < kLeastAdvance_m) continue;
+    const float score = cost - kProgressWorth * static_cast<float>(advance_m);
+    if (score < least) {
+      least = score;
+      best = node;
+    }
+  }
+  return best;
+}
+
+void PathPlanner::trace(int end, const FloorField& field, const PlanRequest& request) {
+  std::size_t length = 0;
+  for (int node = end; node >= 0; node = from_[static_cast<std::size_t>(node)]) ++length;
+  way_.count = std::min(length, Way::kCapacity);
+  way_.found = true;
+  way_.progress_m = (end / kWide - kBehind) * kStep_m;
+  way_.reaches_far = end / kWide == kLong - 1;
+  way_.least_margin_m = FloorField::kFar_m;
+  std::size_t at = length;
+  for (int node = end; node >= 0; node = from_[static_cast<std::size_t>(node)]) {
+    --at;
+    if (at >= Way::kCapacity) continue;
+    way_.points[at] = place_of(node);
+    way_.least_margin_m =
+        std::min(way_.least_margin_m, field.clearance_m(way_.points[at]) - request.half_width_m);
+  }
+}
+
+}  // namespace striate

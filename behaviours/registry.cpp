@@ -1,0 +1,36 @@
+#include "behaviours/registry.hpp"
+
+#include "behaviours/avoid.hpp"
+#include "behaviours/back_up.hpp"
+#include "behaviours/drive_straight.hpp"
+#include "behaviours/look_around.hpp"
+#include "behaviours/stop.hpp"
+#include "behaviours/traverse_corridor.hpp"
+#include "behaviours/turn_to.hpp"
+#include "behaviours/wait.hpp"
+
+namespace striate {
+
+const std::vector<BehaviourEntry>& behaviour_registry() {
+  static const std::vector<BehaviourEntry> entries{
+      behaviour_entry<Avoid>("avoid", "goes round what stands ahead, or lets it pass"),
+      behaviour_entry<BackUp>("back_up", "drives straight back"),
+      behaviour_entry<DriveStraight>("drive_straight", "drives straight ahead"),
+      behaviour_entry<LookAround>("look_around", "turns the head from side to side, and back"),
+      behaviour_entry<Stop>("stop", "stands still"),
+      behaviour_entry<TraverseCorridor>("traverse_corridor",
+                                        "drives along the corridor, round what stands in it"),
+      behaviour_entry<TurnTo>("turn_to", "turns on the spot"),
+      behaviour_entry<Wait>("wait", "stands for a while"),
+  };
+  return entries;
+}
+
+const BehaviourEntry* find_behaviour(const std::string& name) {
+  for (const BehaviourEntry& entry : behaviour_registry()) {
+    if (entry.name == name) return &entry;
+  }
+  return nullptr;
+}
+
+}  // namespace striate

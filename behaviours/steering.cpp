@@ -1,0 +1,104 @@
+#include "behaviours/steering.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace striate {
+namespace {
+
+constexpr double kLookaheadLeast_m = 0.55;
+constexpr double kLookaheadPerSpeed_s = 1.0;
+constexpr double kTurnInPlace_rad = 0.9;
+constexpr double kMostTurn_rad_s = 0.9;
+constexpr double kRollOut_s = 1.4;
+constexpr double kRollStep_s = 0.1;
+constexpr double kEdgeLook_s = 1.0;
+constexpr std::array<double, 11> kTurnOffsets{0.0,  0.08, -0.08, 0.18, -0.18, 0.3,
+                                              -0.3, 0.5,  -0.5,  0.8,  -0.8};
+constexpr std::array<double, 3> kSpeedShares{1.0, 0.6, 0.3};
+
+}  // namespace
+
+Point2 Steering::point_at(const Way& way, double length_m) {
+  double left_m = length_m;
+  for (std::size_t i = 1; i < way.count; ++i) {
+    const Point2& a = way.points[i - 1];
+    const Point2& b = way.points[i];
+    const double step_m = std::hypot(b.x_m - a.x_m, b.y_m - a.y_m);
+    if (step_m >= left_m) {
+      const double t = step_m > 0.0 ? left_m / step_m : 0.0;
+      return {a.x_m + t * (b.x_m - a.x_m), a.y_m + t * (b.y_m - a.y_m)};
+    }
+    left_m -= step_m;
+  }
+  return way.count > 0 ? way.points[way.count - 1] : Point2{};
+}
+
+// The least clearance on the arc; negative where it comes too near, unless it leads away from
+// what is already too near.
+double Steering::roll_out(const FloorField& field, const Pose2& robot, const Candidate& candidate,
+                          double least_clearance_m) const {
+  const double here_m = footprint_.clearance_m(field, robot);
+  double least_m = FloorField::kFar_m;
+  double last_m = here_m;
+  for (double t = kRollStep_s; t <= kRollOut_s + 1e-9; t += kRollStep_s) {
+    const Pose2 pose = along_arc(robot, candidate.forward_m_s, candidate.turn_rad_s, t);
+    const double clear_m = footprint_.clearance_m(field, pose);
+    if (clear_m < least_clearance_m && clear_m < last_m - 1e-9) return -1.0;
+    if (clear_m < least_clearance_m && here_m >= least_clearance_m) return -1.0;
+    last_m = clear_m;
+    least_m = std::min(least_m, clear_m);
+  }
+  return least_m;
+}
+
+Drive Steering::turn_in_place(double angle_rad, const FloorField& field, const Pose2& robot,
+                              double least_clearance_m) const {
+  const double rate = std::clamp(1.2 * angle_rad, -0.7, 0.7);
+  for (const double sign : {1.0, -1.0}) {
+    const double clear_m = roll_out(field, robot, {0.0, sign * rate}, least_clearance_m);
+    if (clear_m >= 0.0) return {true, 0.0, sign * rate, clear_m};
+    if (std::abs(angle_rad) < 2.0) break;  // only a turn round may go the other way
+  }
+  return {};
+}
+
+Drive Steering::follow(const Way& way, const FloorField& field, const Pose2& robot,
+                       double speed_m_s, double least_clearance_m) const {
+  double lookahead_m = kLookaheadLeast_m + kLookaheadPerSpeed_s * speed_m_s;
+  if (way.least_margin_m < 0.15) lookahead_m = kLookaheadLeast_m;
+  const Point2 target = to_inner(robot, point_at(way, lookahead_m));
+  const double distance_m = std::max(0.1, std::hypot(target.x_m, target.y_m));
+  const double angle_rad = std::atan2(target.y_m, target.x_m);
+  if (std::abs(angle_rad) > kTurnInPlace_rad) {
+    return turn_in_place(angle_rad, field, robot, least_clearance_m);
+  }
+  const double curvature = 2.0 * std::sin(angle_rad) / distance_m;
+  const double eased_m_s = speed_m_s * std::max(0.3, std::cos(1.3 * angle_rad));
+  Drive best;
+  double least = 1e9;
+  for (const double share : kSpeedShares) {
+    const double forward = share * eased_m_s;
+    const double wanted =
+        std::clamp(curvature * std::max(forward, 0.15), -kMostTurn_rad_s, kMostTurn_rad_s);
+    for (const double offset : kTurnOffsets) {
+      const Candidate candidate{forward, wanted + offset};
+      const double clear_m = roll_out(field, robot, candidate, least_clearance_m);
+      if (clear_m < 0.0) continue;
+      const double crowding = std::max(0.0, 1.0 - clear_m / wanted_clearance_m_);
+      const Pose2 end = along_arc(robot, forward, candidate.turn_rad_s, kEdgeLook_s);
+      const double edge_m = footprint_.seen_clearance_m(field, end);
+      const double edging = std::max(0.0, 1.0 - edge_m / wanted_clearance_m_);
+      const double score =
+          std::abs(offset) + 0.8 * crowding * crowding + 0.6 * edging + 0.5 * (1.0 - share);
+      if (score < least) {
+        least = score;
+        best = {true, candidate.forward_m_s, candidate.turn_rad_s, clear_m};
+      }
+    }
+  }
+  return best.possible ? best : turn_in_place(angle_rad, field, robot, least_clearance_m);
+}
+
+}  // namespace striate

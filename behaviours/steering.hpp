@@ -1,0 +1,47 @@
+#pragma once
+
+#include "behaviours/footprint.hpp"
+#include "behaviours/path_planner.hpp"
+
+namespace striate {
+
+/// Drive and turn for one cycle.
+struct Drive {
+  bool possible = false;
+  double forward_m_s = 0.0;
+  double turn_rad_s = 0.0;
+  double least_clearance_m = 0.0;  ///< of the outline on the rolled-out arc
+};
+
+/// Follows a way by pure pursuit (Coulter 1992), and rolls every candidate arc out with the real
+/// outline before it is wished: pure pursuit cuts corners.
+class Steering {
+ public:
+  Steering(const RobotDescription& robot, double wanted_clearance_m)
+      : robot_(robot), footprint_(robot), wanted_clearance_m_(wanted_clearance_m) {}
+
+  /// `speed_m_s`: as fast as anything else allows. `least_clearance_m`: nearer than this only
+  /// where the robot already is so near, and only on arcs that lead away.
+  [[nodiscard]] Drive follow(const Way& way, const FloorField& field, const Pose2& robot,
+                             double speed_m_s, double least_clearance_m) const;
+
+  /// The point of the way at this length from its start (its end if it is shorter).
+  [[nodiscard]] static Point2 point_at(const Way& way, double length_m);
+  [[nodiscard]] const Footprint& footprint() const { return footprint_; }
+
+ private:
+  struct Candidate {
+    double forward_m_s;
+    double turn_rad_s;
+  };
+  [[nodiscard]] double roll_out(const FloorField& field, const Pose2& robot,
+                                const Candidate& candidate, double least_clearance_m) const;
+  [[nodiscard]] Drive turn_in_place(double angle_rad, const FloorField& field, const Pose2& robot,
+                                    double least_clearance_m) const;
+
+  RobotDescription robot_;
+  Footprint footprint_;
+  double wanted_clearance_m_;
+};
+
+}  // namespace striate

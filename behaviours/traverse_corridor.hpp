@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstdint>
+
+#include "behaviours/behaviour.hpp"
+#include "behaviours/way_follower.hpp"
+#include "config/settings.hpp"
+
+namespace striate {
+
+/// Drives along the corridor: keeps its heading and its middle (or a side), goes round what
+/// stands in it, and always returns to the first heading. Runs until it is halted, or until
+/// `distance` is made good along the corridor. The direction is the one of the corridor's two that
+/// the robot faces at the start.
+class TraverseCorridor : public Behaviour {
+ public:
+  enum class Keep : std::uint8_t { middle, left, right };
+  struct Settings {
+    double speed_m_s = 0.45;
+    Keep keep = Keep::middle;
+    double beside_m = 0.65;
+    double distance_m = 0.0;
+    DrivingSettings driving;
+  };
+
+  TraverseCorridor(const Settings& settings, const RobotDescription& robot);
+  void start(const ShortTermMemory& memory) override;
+  Wish tick(const ShortTermMemory& memory) override;
+  [[nodiscard]] const WayFollower& follower() const { return follower_; }
+
+ private:
+  Settings settings_;
+  WayFollower follower_;
+  bool back_ = false;  ///< against the axis
+};
+
+template <class V>
+void visit(V& v, TraverseCorridor::Settings& s) {
+  using config::Unit;
+  v.number("speed", s.speed_m_s, Unit::speed, {0.05, 0.75}, "where all is known to be free");
+  v.choice("keep", s.keep, {"middle", "left", "right"}, "which part of the corridor");
+  v.number("beside", s.beside_m, Unit::length, {0.35, 3},
+           "distance to the wall when a side is kept");
+  v.number("distance", s.distance_m, Unit::length, {0, 10000},
+           "succeeds after so much way along the corridor; 0 m: runs on");
+  v.section("driving", s.driving);
+}
+
+/// The course along the remembered corridor: `back` against its axis. Used by all that travel.
+[[nodiscard]] Course corridor_course(const CorridorMemory& corridor, bool back, double cruise_m_s);
+
+}  // namespace striate

@@ -1,0 +1,52 @@
+#include "behaviours/turn_to.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace striate {
+namespace {
+
+constexpr double kArrived_rad = 0.03;
+constexpr double kBlockedAfter_s = 5.0;
+constexpr double kEasing_rad_s2 = 0.8;
+
+}  // namespace
+
+TurnTo::TurnTo(const Settings& settings, const RobotDescription& robot) : settings_(settings) {
+  settings_.rate_rad_s = std::min(settings_.rate_rad_s, robot.max_turn_rad_s);
+}
+
+void TurnTo::start(const ShortTermMemory& memory) {
+  last_heading_rad_ = memory.pose().heading_rad;
+  const double target_rad = memory.corridor().axis_rad() + settings_.heading_rad;
+  left_rad_ =
+      settings_.by_rad != 0.0 ? settings_.by_rad : wrap_angle(target_rad - last_heading_rad_);
+  least_left_rad_ = std::abs(left_rad_);
+  least_left_at_ = memory.now();
+}
+
+Wish TurnTo::tick(const ShortTermMemory& memory) {
+  left_rad_ -= wrap_angle(memory.pose().heading_rad - last_heading_rad_);
+  last_heading_rad_ = memory.pose().heading_rad;
+  const double far_rad = std::abs(left_rad_);
+  if (far_rad < kArrived_rad && std::abs(memory.turn_rad_s()) < 0.1) {
+    return final_wish(memory, Progress::succeeded, "turned");
+  }
+  if (far_rad < least_left_rad_ - 0.03) {
+    least_left_rad_ = far_rad;
+    least_left_at_ = memory.now();
+  }
+  if (to_seconds(memory.now() - least_left_at_) > kBlockedAfter_s) {
+    return final_wish(memory, Progress::failed, "cannot turn here");
+  }
+  Wish wish = standing_wish(memory, "turns");
+  const double eased = std::max(0.06, std::sqrt(2.0 * kEasing_rad_s2 * far_rad) - 0.1);
+  if (far_rad >= kArrived_rad) {
+    wish.turn_rad_s = std::copysign(std::min(settings_.rate_rad_s, eased), left_rad_);
+  }
+  // The head looks where the robot will face.
+  wish.pan_rad = std::clamp(left_rad_, -0.8, 0.8);
+  return wish;
+}
+
+}  // namespace striate

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "behaviours/behaviour.hpp"
+#include "config/settings.hpp"
+#include "platform/interface/robot.hpp"
+
+namespace striate {
+
+/// Stands for a while.
+class Wait : public Behaviour {
+ public:
+  struct Settings {
+    double for_s = 1.0;
+  };
+  Wait(const Settings& settings, const RobotDescription& /*robot*/) : settings_(settings) {}
+  void start(const ShortTermMemory& memory) override { started_ = memory.now(); }
+  Wish tick(const ShortTermMemory& memory) override;
+
+ private:
+  Settings settings_;
+  TimePoint started_{};
+};
+
+template <class V>
+void visit(V& v, Wait::Settings& s) {
+  v.number("for", s.for_s, config::Unit::duration, {0, 86400}, "how long");
+}
+
+}  // namespace striate

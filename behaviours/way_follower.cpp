@@ -1,0 +1,215 @@
+#include "behaviours/way_follower.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace striate {
+namespace {
+
+constexpr double kLookDown_rad = -0.58;
+constexpr double kGlanceDown_rad = -0.42;
+constexpr double kLookSweep_s = 4.0;
+constexpr double kSweep_rad = 0.9;
+constexpr double kHeadTurn_rad = 0.6;
+constexpr double kHeadDriving_rad = 0.25;  // where the robot goes stays in the 43 degree view
+constexpr double kMoverPatience_s = 6.0;
+constexpr double kImpossible_s = 0.6;
+constexpr double kForgivenAfter_m = 1.0;  // headway that makes old troubles forgotten
+constexpr double kUnstuck_m = 0.25;
+constexpr int kTightAfter = 2;  // troubles
+constexpr double kTightShare = 0.4;
+
+template <class... Args>
+ShortText text(std::string_view format, const Args&... args) {
+  std::array<char, ShortText::kCapacity> buffer;
+  const auto end = fmt::format_to_n(buffer.data(), buffer.size(), fmt::runtime(format), args...);
+  return std::string_view(buffer.data(), std::min(end.size, buffer.size()));
+}
+
+}  // namespace
+
+WayFollower::WayFollower(const DrivingSettings& settings, const RobotDescription& robot)
+    : settings_(settings), robot_(robot), steering_(robot, settings.wanted_clearance_m) {}
+
+void WayFollower::start(const ShortTermMemory& memory) {
+  planner_.forget_choice();
+  troubles_ = 0;
+  headway_m_ = 0.0;
+  best_headway_m_ = 0.0;
+  trouble_headway_m_ = 0.0;
+  best_headway_at_ = memory.now();
+  last_pose_ = memory.pose();
+  impossible_since_ = memory.now();
+  mover_since_ = memory.now();
+  // The camera has not seen the floor before the wheels: look there before the first metre.
+  look_down_until_ = memory.now() + std::chrono::milliseconds(700);
+  enter(State::driving, memory);
+}
+
+void WayFollower::enter(State state, const ShortTermMemory& memory) {
+  state_ = state;
+  entered_ = memory.now();
+  entered_pose_ = memory.pose();
+}
+
+double WayFollower::since_entered_s(const ShortTermMemory& memory) const {
+  return to_seconds(memory.now() - entered_);
+}
+
+void WayFollower::measure_headway(const ShortTermMemory& memory, const Course& course) {
+  const Pose2 frame{last_pose_.x_m, last_pose_.y_m, course.direction_rad};
+  headway_m_ += to_inner(frame, Point2{memory.pose().x_m, memory.pose().y_m}).x_m;
+  last_pose_ = memory.pose();
+  if (headway_m_ > best_headway_m_ + kUnstuck_m) {
+    best_headway_m_ = headway_m_;
+    best_headway_at_ = memory.now();
+  }
+  if (headway_m_ > trouble_headway_m_ + kForgivenAfter_m) troubles_ = 0;
+}
+
+// The first tries keep the full margin; after that a tighter fit is better than giving up.
+double WayFollower::least_margin_m() const {
+  return settings_.least_margin_m * (troubles_ < kTightAfter ? 1.0 : kTightShare);
+}
+
+bool WayFollower::way_is_open() const {
+  return planner_.way().found;
+}
+
+Wish WayFollower::tick(const ShortTermMemory& memory, const Course& course) {
+  measure_headway(memory, course);
+  field_.update(memory.map());
+  PlanRequest request;
+  request.direction_rad = course.direction_rad;
+  request.wanted_left_m = course.wanted_left_m;
+  request.half_width_m = robot_.half_width_m;
+  request.least_margin_m = least_margin_m();
+  request.left_wall_m = course.left_wall_m;
+  request.right_wall_m = course.right_wall_m;
+  request.middle_left_m = course.middle_left_m;
+  request.half_corridor_m = course.half_corridor_m;
+  planner_.plan(field_, memory.pose(), request);
+  if (troubles_ >= settings_.tries) {
+    return final_wish(memory, Progress::failed,
+                      text("no way through after {} tries in one place", troubles_));
+  }
+  switch (state_) {
+    case State::waiting:
+      return wait(memory);
+    case State::looking:
+      return look(memory);
+    case State::backing:
+      return back(memory);
+    case State::driving:
+      break;
+  }
+  return drive(memory, course);
+}
+
+Wish WayFollower::drive(const ShortTermMemory& memory, const Course& course) {
+  Wish wish = standing_wish(memory, "drives on");
+  if (to_seconds(memory.now() - best_headway_at_) > settings_.stuck_after_s) {
+    best_headway_at_ = memory.now();
+    enter(State::looking, memory);
+    return look(memory);
+  }
+  if (!way_is_open()) {
+    enter(State::waiting, memory);
+    return wait(memory);
+  }
+  Pace pace = pace_for(settings_.pace, robot_, memory, field_, planner_.way());
+  if (!pace.waits_for_mover) mover_since_ = memory.now();
+  const bool dim = memory.light_level() < settings_.pace.dark_below ||
+                   memory.noise_level() > settings_.pace.noisy_above;
+  double speed =
+      std::min(pace.speed_m_s, course.cruise_m_s * (dim ? settings_.pace.dim_share : 1.0));
+  if (pace.waits_for_mover && to_seconds(memory.now() - mover_since_) > kMoverPatience_s) {
+    speed = settings_.pace.narrow_m_s;  // it moves without coming or going: creep past
+  }
+  wish.forward_m_s = speed;
+  aim_head(memory, pace, wish);
+  wish.forward_m_s = 0.0;
+  if (speed < 0.03) {
+    impossible_since_ = memory.now();
+    wish.why = text("waits: {}", pace.reason);
+    return wish;
+  }
+  const Drive drive =
+      steering_.follow(planner_.way(), field_, memory.pose(), speed, 0.6 * least_margin_m());
+  if (!drive.possible) {
+    wish.why = "no arc keeps clear";
+    if (to_seconds(memory.now() - impossible_since_) > kImpossible_s) {
+      enter(State::waiting, memory);
+    }
+    return wish;
+  }
+  impossible_since_ = memory.now();
+  wish.forward_m_s = drive.forward_m_s;
+  wish.turn_rad_s = drive.turn_rad_s;
+  aim_head(memory, pace, wish);
+  if (speed < course.cruise_m_s - 0.05) {
+    wish.why = text("slow: {}", dim && pace.speed_m_s > speed ? "it is dark" : pace.reason);
+  }
+  return wish;
+}
+
+void WayFollower::aim_head(const ShortTermMemory& memory, const Pace& pace, Wish& wish) {
+  const Point2 ahead = to_inner(memory.pose(), Steering::point_at(planner_.way(), 1.8));
+  const double most_rad = wish.forward_m_s > 0.1 ? kHeadDriving_rad : kHeadTurn_rad;
+  wish.pan_rad = std::clamp(std::atan2(ahead.y_m, std::max(0.3, ahead.x_m)), -most_rad, most_rad);
+  if (std::isfinite(pace.mover_m)) wish.pan_rad = std::clamp(pace.mover_rad, -most_rad, most_rad);
+  if (pace.unknown_near_share > 0.3) look_down_until_ = memory.now() + from_seconds(0.6);
+  wish.tilt_rad = memory.now() < look_down_until_ ? kGlanceDown_rad : kRestingTilt_rad;
+}
+
+Wish WayFollower::wait(const ShortTermMemory& memory) {
+  const double since_s = since_entered_s(memory);
+  // A way that opens for a moment is noise: it has to stay open.
+  if (way_is_open() && since_s > 0.5) {
+    impossible_since_ = memory.now() + from_seconds(0.5);
+    const Drive drive = steering_.follow(planner_.way(), field_, memory.pose(),
+                                         settings_.pace.narrow_m_s, 0.6 * least_margin_m());
+    if (drive.possible) enter(State::driving, memory);
+  }
+  if (since_s > settings_.patience_s) {
+    enter(State::looking, memory);
+  }
+  Wish wish = standing_wish(memory, text("waits: the way is blocked, {:.0f} s", since_s));
+  wish.tilt_rad = kGlanceDown_rad;
+  return wish;
+}
+
+Wish WayFollower::look(const ShortTermMemory& memory) {
+  const double since_s = since_entered_s(memory);
+  Wish wish = standing_wish(memory, "looks round for a gap");
+  const double phase = since_s / kLookSweep_s;
+  wish.pan_rad = phase < 0.4 ? kSweep_rad : (phase < 0.8 ? -kSweep_rad : 0.0);
+  wish.tilt_rad = phase < 0.2 || (phase > 0.4 && phase < 0.6) ? kRestingTilt_rad : kLookDown_rad;
+  if (phase < 1.0) return wish;
+  ++troubles_;
+  trouble_headway_m_ = headway_m_;
+  planner_.forget_choice();
+  enter(troubles_ % 2 == 0 || !way_is_open() ? State::backing : State::driving, memory);
+  best_headway_at_ = memory.now();
+  best_headway_m_ = headway_m_;
+  return wish;
+}
+
+Wish WayFollower::back(const ShortTermMemory& memory) {
+  Wish wish = standing_wish(memory, "backs out");
+  const Point2 moved = to_inner(entered_pose_, Point2{memory.pose().x_m, memory.pose().y_m});
+  const Pose2 behind = along_arc(memory.pose(), -0.1, 0.0, 1.5);
+  const bool clear = steering_.footprint().clearance_m(field_, behind) > 0.03;
+  if (-moved.x_m >= settings_.back_m || !clear || since_entered_s(memory) > 5.0) {
+    impossible_since_ = memory.now() + from_seconds(0.5);
+    enter(way_is_open() ? State::driving : State::waiting, memory);
+    return wish;
+  }
+  wish.forward_m_s = -0.12;
+  return wish;
+}
+
+}  // namespace striate

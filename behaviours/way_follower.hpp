@@ -1,0 +1,97 @@
+#pragma once
+
+#include <cstdint>
+
+#include "behaviours/floor_field.hpp"
+#include "behaviours/pace.hpp"
+#include "behaviours/path_planner.hpp"
+#include "behaviours/steering.hpp"
+#include "behaviours/wish.hpp"
+
+namespace striate {
+
+/// How the way is driven; shared by all behaviours that go somewhere.
+struct DrivingSettings {
+  double least_margin_m = 0.06;
+  double wanted_clearance_m = 0.12;
+  double patience_s = 3.0;
+  double stuck_after_s = 15.0;
+  double back_m = 0.35;
+  int tries = 6;
+  PaceSettings pace;
+};
+
+template <class V>
+void visit(V& v, DrivingSettings& s) {
+  using config::Unit;
+  v.number("least_margin", s.least_margin_m, Unit::length, {0.0, 0.5},
+           "room that a gap must leave on each side");
+  v.number("wanted_clearance", s.wanted_clearance_m, Unit::length, {0.02, 0.6},
+           "room that is kept where there is room");
+  v.number("patience", s.patience_s, Unit::duration, {0, 120},
+           "waits so long before a blocked way before it looks round");
+  v.number("stuck_after", s.stuck_after_s, Unit::duration, {3, 300},
+           "no headway for so long is trouble");
+  v.number("back", s.back_m, Unit::length, {0, 2}, "backs out so far where no gap is left");
+  v.integer("tries", s.tries, {1, 50}, "troubles in one place before it gives up");
+  v.section("pace", s.pace);
+}
+
+/// Where to go: along a direction, keeping a line.
+struct Course {
+  double direction_rad = 0.0;  ///< odometry frame
+  double wanted_left_m = 0.0;  ///< the line to keep, to the left of the robot
+  double cruise_m_s = 0.45;
+  double left_wall_m = kNothing_m;
+  double right_wall_m = kNothing_m;
+  double middle_left_m = 0.0;           ///< the corridor's middle, to the left of the robot
+  double half_corridor_m = kNothing_m;  ///< half its width
+};
+
+/// Plans on the map, follows the way, and gets out of trouble: waits for what may pass, looks
+/// round, backs out, tries again; gives up with a reason after repeated trouble in one place.
+class WayFollower {
+ public:
+  WayFollower(const DrivingSettings& settings, const RobotDescription& robot);
+  void start(const ShortTermMemory& memory);
+  Wish tick(const ShortTermMemory& memory, const Course& course);
+
+  [[nodiscard]] const Way& way() const { return planner_.way(); }
+  [[nodiscard]] const FloorField& field() const { return field_; }
+  /// Way made along the courses' directions since the start.
+  [[nodiscard]] double headway_m() const { return headway_m_; }
+
+ private:
+  enum class State : std::uint8_t { driving, waiting, looking, backing };
+  void measure_headway(const ShortTermMemory& memory, const Course& course);
+  Wish drive(const ShortTermMemory& memory, const Course& course);
+  Wish wait(const ShortTermMemory& memory);
+  Wish look(const ShortTermMemory& memory);
+  Wish back(const ShortTermMemory& memory);
+  void enter(State state, const ShortTermMemory& memory);
+  [[nodiscard]] bool way_is_open() const;
+  [[nodiscard]] double least_margin_m() const;
+  [[nodiscard]] double since_entered_s(const ShortTermMemory& memory) const;
+  void aim_head(const ShortTermMemory& memory, const Pace& pace, Wish& wish);
+
+  DrivingSettings settings_;
+  RobotDescription robot_;
+  FloorField field_;
+  PathPlanner planner_;
+  Steering steering_;
+
+  State state_ = State::driving;
+  TimePoint entered_{};
+  Pose2 entered_pose_;
+  int troubles_ = 0;
+  double headway_m_ = 0.0;
+  double best_headway_m_ = 0.0;
+  double trouble_headway_m_ = 0.0;
+  TimePoint best_headway_at_{};
+  Pose2 last_pose_;
+  TimePoint impossible_since_{};
+  TimePoint look_down_until_{};
+  TimePoint mover_since_{};
+};
+
+}  // namespace striate

@@ -1,0 +1,153 @@
+#include "memory/short_term_memory.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace striate {
+namespace {
+
+constexpr Duration kFadeEvery = std::chrono::milliseconds(500);
+constexpr Duration kFitEvery = std::chrono::milliseconds(400);
+constexpr double kSeenShareGain = 0.1;
+constexpr std::size_t kMostRegions = 64;
+
+}  // namespace
+
+ShortTermMemory::ShortTermMemory(const ShortTermMemorySettings& settings,
+                                 const RobotDescription& robot)
+    : settings_(settings),
+      robot_(robot),
+      evidence_(settings.evidence, robot.camera_height_m),
+      salient_(settings.salient) {
+  regions_now_.reserve(kMostRegions);
+}
+
+void ShortTermMemory::update(const Senses& senses, const Percept& percept) {
+  const TimePoint before = now_;
+  feel(senses);
+  if (percept.valid && (!picture_seen_ || percept.stamp > picture_stamp_)) see(percept);
+  clear_own_place();
+  fade();
+  salient_.attend(head_.pan_rad, now_, now_ - before);
+  if (now_ - fitted_ >= kFitEvery) {
+    fitted_ = now_;
+    fit_walls();
+  }
+}
+
+void ShortTermMemory::fit_walls() {
+  const WallFit things = wall_fitter_.fit(grid_, pose_, corridor_.axis_rad());
+  corridor_.see(things, CorridorMemory::Source::things);
+  if (things.left && things.right) return;
+  corridor_.see(wall_fitter_.fit_edges(grid_, pose_, corridor_.axis_rad(), corridor_.width_m()),
+                CorridorMemory::Source::edges);
+}
+
+void ShortTermMemory::feel(const Senses& senses) {
+  now_ = senses.now;
+  const Pose2 before = pose_;
+  pose_ = senses.odometry.pose;
+  history_.add(senses.odometry.stamp, pose_);
+  grid_.centre_on({pose_.x_m, pose_.y_m});
+  if (corridor_.started()) {
+    corridor_.move(before, pose_);
+    salient_.move(before, pose_);
+    travelled_m_ += std::hypot(pose_.x_m - before.x_m, pose_.y_m - before.y_m);
+  } else {
+    corridor_.start(pose_);
+  }
+  forward_m_s_ = senses.odometry.forward_m_s;
+  turn_rad_s_ = senses.odometry.turn_rad_s;
+  head_ = senses.head;
+  battery_v_ = senses.battery_v;
+  bumper_ = senses.bumper;
+  stalled_ = senses.motors_stalled;
+}
+
+void ShortTermMemory::see(const Percept& percept) {
+  picture_seen_ = true;
+  picture_stamp_ = percept.stamp;
+  light_level_ = percept.light_level;
+  noise_level_ = percept.noise_level;
+  if (!history_.reaches(percept.stamp)) return;  // too old to say where it belongs
+  const Pose2 at = history_.at(percept.stamp);
+  evidence_.write(percept, at, grid_);
+  corridor_.see(percept.corridor, at, pose_);
+
+  int knowing = 0;
+  for (const Column& column : percept.columns) {
+    if (std::isfinite(column.obstacle_m) || column.free_to_m > column.free_from_m) ++knowing;
+  }
+  const auto all = static_cast<double>(std::max<std::size_t>(1, percept.columns.size()));
+  seen_share_ += kSeenShareGain * (knowing / all - seen_share_);
+
+  regions_now_.clear();
+  for (const SalientRegion& seen : percept.saliency.regions) {
+    if (regions_now_.size() == kMostRegions) break;
+    SalientRegion region = seen;
+    if (std::isfinite(seen.distance_m)) {
+      const Point2 place =
+          to_inner(pose_, to_outer(at, Point2{seen.distance_m * std::cos(seen.bearing_rad),
+                                              seen.distance_m * std::sin(seen.bearing_rad)}));
+      region.bearing_rad = std::atan2(place.y_m, place.x_m);
+      region.distance_m = std::hypot(place.x_m, place.y_m);
+    } else {
+      region.bearing_rad = wrap_angle(seen.bearing_rad + at.heading_rad - pose_.heading_rad);
+    }
+    regions_now_.push_back(region);
+  }
+  const double focal_px = percept.disparity.focal_px;
+  salient_.see(regions_now_, focal_px > 0.0 ? 1.0 / focal_px : 0.0, percept.stamp);
+}
+
+// Where the robot stands, nothing else does.
+void ShortTermMemory::clear_own_place() {
+  const double reach_m = std::hypot(robot_.rear_m, robot_.half_width_m) + LocalGrid::kCell_m;
+  const int reach = static_cast<int>(reach_m / LocalGrid::kCell_m);
+  const GridCell middle = LocalGrid::cell_of({pose_.x_m, pose_.y_m});
+  for (int y = middle.y - reach; y <= middle.y + reach; ++y) {
+    for (int x = middle.x - reach; x <= middle.x + reach; ++x) {
+      const Point2 place = to_inner(pose_, LocalGrid::centre_of({x, y}));
+      if (place.x_m < robot_.front_m && place.x_m > -robot_.rear_m &&
+          std::abs(place.y_m) < robot_.half_width_m) {
+        grid_.clear({x, y}, now_);
+      }
+    }
+  }
+}
+
+void ShortTermMemory::fade() {
+  if (now_ - faded_ >= kFadeEvery) {
+    const double step_s = to_seconds(now_ - faded_);
+    faded_ = now_;
+    grid_.fade({static_cast<float>(std::exp(-step_s / settings_.free_fades_s)),
+                static_cast<float>(std::exp(-step_s / settings_.occupied_fades_s)),
+                static_cast<float>(std::exp(-step_s / settings_.moving_fades_s))});
+  }
+  if (travelled_m_ - blurred_at_m_ >= settings_.blur_every_m) {
+    blurred_at_m_ = travelled_m_;
+    grid_.blur_older_than(now_ - from_seconds(settings_.blur_after_s),
+                          static_cast<float>(settings_.blur_share));
+  }
+}
+
+double ShortTermMemory::picture_age_s() const {
+  return picture_seen_ ? to_seconds(now_ - picture_stamp_)
+                       : std::numeric_limits<double>::infinity();
+}
+
+void ShortTermMemory::remember(const MotorCommand& sent, std::string_view doing) {
+  SentCommand& entry = sent_[next_sent_];
+  entry.stamp = now_;
+  entry.command = sent;
+  entry.doing.fill('\0');
+  doing.copy(entry.doing.data(), entry.doing.size() - 1);
+  next_sent_ = (next_sent_ + 1) % kCommands;
+}
+
+const ShortTermMemory::SentCommand& ShortTermMemory::sent(std::size_t steps_back) const {
+  return sent_[(next_sent_ + kCommands - 1 - std::min(steps_back, kCommands - 1)) % kCommands];
+}
+
+}  // namespace striate

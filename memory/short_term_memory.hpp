@@ -1,0 +1,137 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string_view>
+
+#include "config/settings.hpp"
+#include "memory/corridor_memory.hpp"
+#include "memory/evidence.hpp"
+#include "memory/local_grid.hpp"
+#include "memory/odometry_history.hpp"
+#include "memory/polar_map.hpp"
+#include "memory/salient_memory.hpp"
+#include "platform/interface/robot.hpp"
+
+namespace striate {
+
+/// Ours: the literature gives no constants.
+struct ShortTermMemorySettings {
+  double free_fades_s = 30.0;
+  double occupied_fades_s = 90.0;
+  double moving_fades_s = 2.0;
+  double blur_after_s = 4.0;
+  double blur_every_m = 1.0;
+  double blur_share = 0.06;
+  EvidenceSettings evidence;
+  SalientSettings salient;
+};
+
+template <class V>
+void visit(V& v, ShortTermMemorySettings& s) {
+  using config::Unit;
+  v.number("free_fades", s.free_fades_s, Unit::duration, {1, 600},
+           "time constant: how long floor stays free unseen");
+  v.number("occupied_fades", s.occupied_fades_s, Unit::duration, {1, 3600},
+           "time constant of what stands still");
+  v.number("moving_fades", s.moving_fades_s, Unit::duration, {0.2, 60},
+           "time constant of what was seen to move");
+  v.number("blur_after", s.blur_after_s, Unit::duration, {0.5, 600},
+           "evidence older than this is blurred by the drift of the odometry");
+  v.number("blur_every", s.blur_every_m, Unit::length, {0.1, 100}, "way between two blurs");
+  v.number("blur_share", s.blur_share, Unit::fraction, {0, 0.5}, "what leaks to the neighbours");
+  v.section("evidence", s.evidence);
+  v.section("salient", s.salient);
+}
+
+/// What the robot knows here and now: the evidence map, the corridor, seven salient regions, its
+/// own state and what it was last told to do. Fixed memory: nothing is allocated after
+/// construction. Behaviours, tasks and pictures read it; the cycle alone writes.
+class ShortTermMemory {
+ public:
+  static constexpr std::size_t kCommands = 32;
+  struct SentCommand {
+    TimePoint stamp;
+    MotorCommand command;
+    std::array<char, 32> doing{};  ///< zero-terminated
+  };
+
+  ShortTermMemory(const ShortTermMemorySettings& settings, const RobotDescription& robot);
+
+  /// Once a cycle. The percept may be old, the same as before, or invalid; its evidence is placed
+  /// where the robot was at the percept's stamp, and a picture is used once.
+  void update(const Senses& senses, const Percept& percept);
+  /// The efference copy: what really went to the motors, and which behaviour wanted it.
+  void remember(const MotorCommand& sent, std::string_view doing);
+
+  // The body.
+  [[nodiscard]] TimePoint now() const { return now_; }
+  [[nodiscard]] const Pose2& pose() const { return pose_; }  ///< odometry frame
+  [[nodiscard]] Pose2 pose_at(TimePoint stamp) const { return history_.at(stamp); }
+  [[nodiscard]] double forward_m_s() const { return forward_m_s_; }
+  [[nodiscard]] double turn_rad_s() const { return turn_rad_s_; }
+  [[nodiscard]] const HeadPose& head() const { return head_; }
+  [[nodiscard]] double battery_v() const { return battery_v_; }
+  [[nodiscard]] bool bumper() const { return bumper_; }
+  [[nodiscard]] bool stalled() const { return stalled_; }
+  [[nodiscard]] double distance_travelled_m() const { return travelled_m_; }
+  /// Way along the corridor's axis since the start; back is negative.
+  [[nodiscard]] double progress_m() const { return corridor_.progress_m(); }
+
+  // What was seen.
+  [[nodiscard]] const LocalGrid& map() const { return grid_; }
+  [[nodiscard]] PolarMap polar_map() const { return read_polar_map(grid_, pose_, now_); }
+  [[nodiscard]] const CorridorMemory& corridor() const { return corridor_; }
+  [[nodiscard]] const SalientMemory& salient() const { return salient_; }
+  /// Seconds since the newest picture; infinity before the first.
+  [[nodiscard]] double picture_age_s() const;
+  [[nodiscard]] double light_level() const { return light_level_; }  ///< 0..1
+  [[nodiscard]] double noise_level() const { return noise_level_; }  ///< grey levels of 255
+  /// Share of the newest picture's columns that know anything, slowly averaged.
+  [[nodiscard]] double seen_share() const { return seen_share_; }
+
+  // What was done. `steps_back` 0 is the newest; default command before the first.
+  [[nodiscard]] const SentCommand& sent(std::size_t steps_back = 0) const;
+  [[nodiscard]] std::string_view doing() const { return sent().doing.data(); }
+
+ private:
+  void feel(const Senses& senses);
+  void see(const Percept& percept);
+  void fade();
+  void fit_walls();
+  void clear_own_place();
+
+  ShortTermMemorySettings settings_;
+  RobotDescription robot_;
+  LocalGrid grid_;
+  EvidenceWriter evidence_;
+  OdometryHistory history_;
+  CorridorMemory corridor_;
+  WallFitter wall_fitter_;
+  SalientMemory salient_;
+  std::vector<SalientRegion> regions_now_;
+
+  TimePoint now_{};
+  Pose2 pose_;
+  double forward_m_s_ = 0.0;
+  double turn_rad_s_ = 0.0;
+  HeadPose head_;
+  double battery_v_ = 0.0;
+  bool bumper_ = false;
+  bool stalled_ = false;
+  double travelled_m_ = 0.0;
+  double blurred_at_m_ = 0.0;
+  TimePoint faded_{};
+  TimePoint fitted_{};
+
+  bool picture_seen_ = false;
+  TimePoint picture_stamp_{};
+  double light_level_ = 0.0;
+  double noise_level_ = 0.0;
+  double seen_share_ = 0.0;
+
+  std::array<SentCommand, kCommands> sent_{};
+  std::size_t next_sent_ = 0;
+};
+
+}  // namespace striate

@@ -1,0 +1,113 @@
+#include <fmt/format.h>
+
+#include "platform/simulator/obstacle_shapes.hpp"
+#include "platform/simulator/static_shapes.hpp"
+#include "platform/simulator/world_entry.hpp"
+
+/// People: those who walk, those who step in front of the robot, those who stand.
+namespace striate::simulator {
+namespace {
+
+using config::MapReader;
+using config::Node;
+using config::Unit;
+
+/// A list of points: [[40 m, 0.3 m], [5 m, 0.3 m]].
+std::vector<Point2> read_points(WorldEntry& entry, const Node& list, config::Mistakes& mistakes) {
+  std::vector<Point2> points;
+  if (list.kind != Node::Kind::list || list.items.size() < 2) {
+    entry.add("walk", "a walk is a list of two points or more",
+              "write walk: [[40 m, 0.3 m], [5 m, 0.3 m]]");
+    return points;
+  }
+  for (const Node& item : list.items) {
+    if (item.kind != Node::Kind::list || item.items.size() != 2) {
+      mistakes.add(item.place, "a point is a list of two lengths, not " + item.describe(),
+                   "write [40 m, 0.3 m]");
+      continue;
+    }
+    const config::Range range{-1000.0, 1000.0};
+    const auto x = config::read_quantity(item.items[0], Unit::length, range, mistakes);
+    const auto y = config::read_quantity(item.items[1], Unit::length, range, mistakes);
+    if (x && y) points.push_back({*x, *y});
+  }
+  return points;
+}
+
+/// A person stands free of walls, pillars and obstacles here.
+void check_free(WorldEntry& entry, const World& world, const std::string& key, Point2 point) {
+  entry.check_inside(key, point, kPersonRadius_m);
+  if (!entry.sound()) return;
+  const FloorPlan plan = build_floor_plan(world);
+  const Pose2 at = plan.at(point.x_m, point.y_m);
+  for (const StaticShape& thing : standing_shapes(world, plan)) {
+    if (distance_m(disc({at.x_m, at.y_m}, kPersonRadius_m), thing.shape) > 0.0) continue;
+    entry.add(key,
+              fmt::format("at {}, {} there is no room beside {}", metres(point.x_m),
+                          metres(point.y_m), thing.name),
+              fmt::format("a person needs {} to either side", metres(kPersonRadius_m)));
+    return;
+  }
+}
+
+void read_walk(WorldEntry& entry, const Node& list, World& world, config::Mistakes& mistakes) {
+  Walk walk;
+  walk.points = read_points(entry, list, mistakes);
+  entry.map().number("speed", walk.speed_m_s, Unit::speed, {0.05, 3.0});
+  entry.map().number("from", walk.from_s, Unit::duration, {0.0, 36000.0});
+  entry.map().flag("repeat", walk.repeat);
+  entry.finish();
+  for (const Point2& point : walk.points) check_free(entry, world, "walk", point);
+  if (entry.sound()) world.walks.push_back(walk);
+}
+
+void read_step_in_front(WorldEntry& entry, World& world) {
+  StepInFront step;
+  entry.map().number("step_in_front", step.per_minute, Unit::rate, {0.0, 0.5});
+  step.per_minute *= 60.0;  // the reader gives 1/s
+  entry.map().number("wait", step.wait_s, Unit::duration, {0.0, 60.0});
+  entry.finish();
+  if (entry.sound()) world.steps_in_front.push_back(step);
+}
+
+void read_stander(WorldEntry& entry, World& world) {
+  Stander stander;
+  entry.require_point("stand", stander.at);
+  entry.map().number("heading", stander.heading_rad, Unit::angle, {radians(-360), radians(360)});
+  entry.finish();
+  check_free(entry, world, "stand", stander.at);
+  if (entry.sound()) world.standers.push_back(stander);
+}
+
+void read_person(const Node& node, World& world, config::Mistakes& mistakes) {
+  WorldEntry entry(node, "a person", world, mistakes);
+  if (node.kind != Node::Kind::map) return;
+  const Node* walk = entry.map().raw("walk");
+  const Node* step = entry.map().raw("step_in_front");
+  const Node* stand = entry.map().raw("stand");
+  const int ways = (walk != nullptr) + (step != nullptr) + (stand != nullptr);
+  if (ways > 1) {
+    mistakes.add(node.place, "a person does one thing: walk, step_in_front, or stand",
+                 "make an entry of its own for each");
+  } else if (walk != nullptr) {
+    read_walk(entry, *walk, world, mistakes);
+  } else if (step != nullptr) {
+    read_step_in_front(entry, world);
+  } else if (stand != nullptr) {
+    read_stander(entry, world);
+  } else {
+    for (const char* key : {"speed", "from", "repeat", "wait", "heading"}) entry.map().raw(key);
+    mistakes.add(node.place, "what does this person do?",
+                 "write walk: [[x, y], ...], step_in_front: 2 per min, or stand: [x, y]");
+    entry.finish();
+  }
+}
+
+}  // namespace
+
+void read_people(MapReader& root, World& world) {
+  for_each_entry(root, "people",
+                 [&](const Node& node) { read_person(node, world, root.mistakes()); });
+}
+
+}  // namespace striate::simulator

@@ -1,0 +1,116 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "platform/simulator/static_shapes.hpp"
+#include "platform/simulator/world_entry.hpp"
+#include "platform/simulator/world_names.hpp"
+
+/// Obstacles and the objects that can be taught and sought.
+namespace striate::simulator {
+namespace {
+
+using config::MapReader;
+using config::Node;
+using config::Unit;
+
+/// Things may wear pictures and surfaces alike.
+std::vector<std::string> all_names() {
+  std::vector<std::string> names = picture_names();
+  for (std::string& name : surface_names()) names.push_back(std::move(name));
+  return names;
+}
+
+/// A thing may stand flush with a wall (up to 1 cm in it), but not through it.
+void check_between_walls(WorldEntry& entry, const World& world, const WorldObstacle& obstacle) {
+  if (!entry.sound()) return;
+  const FloorPlan plan = build_floor_plan(world);
+  const Pose2 middle = plan.at(obstacle.at.x_m, obstacle.at.y_m);
+  for (ConvexShape shape : obstacle_outline(obstacle, plan)) {
+    for (Point2& corner : shape.corners) {
+      const double away = distance_m(corner, {middle.x_m, middle.y_m});
+      const double keep = std::max(0.0, away - 0.014) / away;
+      corner = {middle.x_m + keep * (corner.x_m - middle.x_m),
+                middle.y_m + keep * (corner.y_m - middle.y_m)};
+    }
+    for (const StaticShape& wall : wall_shapes(plan)) {
+      if (distance_m(shape, wall.shape) > 0.0) continue;
+      entry.add("at", fmt::format("'{}' stands in a wall", obstacle.name),
+                "'at' is the middle of the thing");
+      return;
+    }
+  }
+}
+
+void read_obstacle(const Node& node, World& world, config::Mistakes& mistakes) {
+  WorldEntry entry(node, "an obstacle", world, mistakes);
+  WorldObstacle obstacle;
+  int kind = 0;
+  if (entry.map().require("kind")) entry.map().choice("kind", kind, obstacle_kinds());
+  obstacle.kind = static_cast<ObstacleKind>(kind);
+  entry.map().text("name", obstacle.name);
+  entry.require_point("at", obstacle.at);
+  entry.map().number("turn", obstacle.turn_rad, Unit::angle, {radians(-360), radians(360)});
+  entry.map().numbers("size", {&obstacle.size_x_m, &obstacle.size_y_m, &obstacle.size_z_m},
+                      Unit::length, {0.02, 5.0});
+  entry.map().text("image", obstacle.image);
+  entry.finish();
+  entry.check_inside("at", obstacle.at);
+  if (!obstacle.image.empty()) entry.check_image("image", obstacle.image, all_names());
+  if (!entry.sound()) return;
+  if (obstacle.name.empty()) {
+    int number = 1;
+    for (const WorldObstacle& other : world.obstacles) number += other.kind == obstacle.kind;
+    obstacle.name = fmt::format("{}_{}", obstacle_kinds()[static_cast<std::size_t>(kind)], number);
+  }
+  for (const WorldObstacle& other : world.obstacles) {
+    if (other.name == obstacle.name) {
+      entry.add("name", fmt::format("another obstacle is called '{}'", other.name));
+      return;
+    }
+  }
+  check_between_walls(entry, world, obstacle);
+  if (entry.sound()) world.obstacles.push_back(obstacle);
+}
+
+void read_object(const Node& node, World& world, config::Mistakes& mistakes) {
+  WorldEntry entry(node, "an object", world, mistakes);
+  WorldObject object;
+  int kind = 0;
+  if (entry.map().require("kind")) entry.map().choice("kind", kind, object_kinds());
+  object.kind = object_kinds()[static_cast<std::size_t>(kind)];
+  if (entry.map().require("name")) entry.map().text("name", object.name);
+  if (entry.map().require("at")) {
+    entry.map().numbers("at", {&object.at.x_m, &object.at.y_m, &object.height_m}, Unit::length,
+                        {-1000.0, 1000.0});
+  }
+  entry.map().number("turn", object.turn_rad, Unit::angle, {radians(-360), radians(360)});
+  entry.map().numbers("size", {&object.size_x_m, &object.size_y_m, &object.size_z_m}, Unit::length,
+                      {0.01, 5.0});
+  entry.map().text("image", object.image);
+  entry.finish();
+  entry.check_inside("at", object.at);
+  if (entry.sound() && (object.height_m < 0.0 || object.height_m > world.height_m)) {
+    entry.add("at", fmt::format("{} above the floor is not within the corridor",
+                                metres(object.height_m)));
+  }
+  if (!object.image.empty()) entry.check_image("image", object.image, all_names());
+  for (const WorldObject& other : world.objects) {
+    if (entry.sound() && other.name == object.name) {
+      entry.add("name", fmt::format("another object is called '{}'", other.name));
+    }
+  }
+  if (entry.sound()) world.objects.push_back(object);
+}
+
+}  // namespace
+
+void read_things(MapReader& root, World& world) {
+  config::Mistakes& mistakes = root.mistakes();
+  for_each_entry(root, "obstacles",
+                 [&](const Node& node) { read_obstacle(node, world, mistakes); });
+  for_each_entry(root, "objects", [&](const Node& node) { read_object(node, world, mistakes); });
+}
+
+}  // namespace striate::simulator

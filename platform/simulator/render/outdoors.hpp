@@ -1,0 +1,22 @@
+#pragma once
+
+#include <vector>
+
+#include "platform/simulator/render/vec.hpp"
+
+namespace striate::simulator::render {
+
+/// What is seen through a window: sky, trees and a lawn, brightness about 1. A map by direction,
+/// painted once.
+class Outdoors {
+ public:
+  Outdoors();
+  [[nodiscard]] V4 operator()(Vec3 direction) const;
+
+ private:
+  static constexpr int kWidth = 1024;  ///< azimuth, all around
+  static constexpr int kHeight = 256;  ///< by rise over distance, -1 .. 1
+  std::vector<V4> map_;
+};
+
+}  // namespace striate::simulator::render

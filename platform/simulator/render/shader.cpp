@@ -1,0 +1,166 @@
+#include "platform/simulator/render/shader.hpp"
+
+namespace striate::simulator::render {
+namespace {
+
+V4 light_at(const Patch& patch, const V4* texels, float u, float v) {
+  const float x = u * static_cast<float>(patch.light_u - 1);
+  const float y = v * static_cast<float>(patch.light_v - 1);
+  const int i = std::min(static_cast<int>(x), patch.light_u - 2);
+  const int j = std::min(static_cast<int>(y), patch.light_v - 2);
+  const float fx = x - static_cast<float>(i);
+  const float fy = y - static_cast<float>(j);
+  const V4* at = texels + patch.light_at + j * patch.light_u + i;
+  return lerp(lerp(at[0], at[1], fx), lerp(at[patch.light_u], at[patch.light_u + 1], fx), fy);
+}
+
+/// Weight of the mirror image: Schlick's approximation for a polished floor (F0 = 0.04).
+float mirrored(float gloss, float facing) {
+  const float k = 1.0F - facing;
+  return gloss * (0.04F + 0.96F * (k * k) * (k * k) * k);
+}
+
+}  // namespace
+
+Shader::Look Shader::look_at(const Packet& packet, unsigned lane, float spread,
+                             float before_m) const {
+  Look look;
+  look.person = packet.rays.hit.geomID[lane] == Tracer::kPeople;
+  const unsigned number = packet.rays.hit.primID[lane];
+  const Patch& patch = look.person ? people_.patches()[number] : stage_.patches[number];
+  look.patch = &patch;
+  look.material = &stage_.materials[patch.material];
+  look.light = look.person ? people_.light().data() : baked_.texels.data();
+  if (stage_.sun && patch.may_see_sun) {
+    look.sun = stage_.sun->irradiance * std::max(0.0F, dot(patch.normal, stage_.sun->towards));
+  }
+  // Between the pixel's narrow and its long side on the surface: a little soft, never aliased.
+  const Vec3 direction = packet.direction(lane);
+  const float speed = length(direction);
+  const float facing = std::abs(dot(direction, patch.normal)) / speed;
+  const float pixel_m = (packet.rays.ray.tfar[lane] * speed + before_m) * spread;
+  const float texels = pixel_m * patch.texels_per_m;
+  const float level = 0.5F * fast_log2(texels * texels / std::max(facing, 0.03F) + 1e-9F);
+  look.level = {&look.material->texture->level(level - 0.35F),
+                &look.material->texture->level(level + 0.15F)};
+  return look;
+}
+
+float Shader::hidden_by_people(Vec3 place, Vec3 normal) const {
+  float open = 1.0F;
+  for (const Occluder& person : people_.occluders()) {
+    const float dx = person.foot.x - place.x;
+    const float dy = person.foot.y - place.y;
+    if (dx * dx + dy * dy > Occluder::kReach_m * Occluder::kReach_m) continue;
+    for (const Occluder::Ball& ball : person.balls) {
+      const Vec3 way = ball.centre - place;
+      const float r2 = ball.radius_m * ball.radius_m;
+      const float d2 = std::max(dot(way, way), r2);
+      // Cosine times the ball's solid angle; fades out towards the reach, whose border is not seen.
+      const float hidden =
+          std::min(0.85F, std::max(0.0F, dot(way, normal)) * r2 / (d2 * std::sqrt(d2)));
+      open *=
+          1.0F -
+          hidden * std::max(0.0F, 1.0F - d2 * (1.0F / (Occluder::kReach_m * Occluder::kReach_m)));
+    }
+  }
+  return open;
+}
+
+/// Whether any hit may lie in somebody's contact shadow.
+bool Shader::people_near(const Packet& packet) const {
+  if (people_.occluders().empty()) return false;
+  float low_x = 1e9F;
+  float high_x = -1e9F;
+  float low_y = 1e9F;
+  float high_y = -1e9F;
+  for (unsigned i = 0; i < Packet::kSize; ++i) {
+    if (packet.valid[i] == 0 || !packet.hit(i)) continue;
+    const Vec3 p = packet.place(i);
+    low_x = std::min(low_x, p.x);
+    high_x = std::max(high_x, p.x);
+    low_y = std::min(low_y, p.y);
+    high_y = std::max(high_y, p.y);
+  }
+  for (const Occluder& person : people_.occluders()) {
+    const Vec3 p = person.foot;
+    constexpr float kReach_m = Occluder::kReach_m;
+    if (p.x > low_x - kReach_m && p.x < high_x + kReach_m && p.y > low_y - kReach_m &&
+        p.y < high_y + kReach_m) {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// Leaves `sun` at the lanes that the sun reaches, clears it at the others.
+void Shader::cast_to_sun(const Packet& packet, const std::array<Vec3, Packet::kSize>& normal,
+                         std::array<float, Packet::kSize>& sun) const {
+  Packet shadow;
+  for (unsigned i = 0; i < Packet::kSize; ++i) {
+    shadow.clear(i);
+    if (sun[i] > 0.0F)
+      shadow.set(i, packet.place(i) + normal[i] * 0.003F, stage_.sun->towards, 0.001F, 1e4F);
+  }
+  tracer_.occlude(shadow);
+  for (unsigned i = 0; i < Packet::kSize; ++i) {
+    if (sun[i] > 0.0F && shadow.rays.ray.tfar[i] < 0.0F) sun[i] = 0.0F;
+  }
+}
+
+void Shader::shade(const Packet& packet, float spread, const float* before_m, Shaded* out) const {
+  const bool people = people_near(packet);
+  std::array<float, Packet::kSize> sun{};
+  std::array<Vec3, Packet::kSize> normal;
+  std::array<V4, Packet::kSize> albedo;
+  bool any_sun = false;
+  Look look;
+  unsigned seen = RTC_INVALID_GEOMETRY_ID;  // the patch that `look` is of
+  for (unsigned i = 0; i < Packet::kSize; ++i) {
+    if (packet.valid[i] == 0) continue;
+    Shaded& pixel = out[i];
+    if (!packet.hit(i)) {
+      pixel.colour = stage_.outdoors(packet.direction(i)) * splat(stage_.sky);
+      pixel.colour[3] = 0.0F;
+      pixel.group = kNothing;
+      continue;
+    }
+    const unsigned id = packet.rays.hit.primID[i] * 2 + packet.rays.hit.geomID[i];
+    if (id != seen) look = look_at(packet, i, spread, before_m == nullptr ? 0.0F : before_m[i]);
+    seen = id;
+    const Patch& patch = *look.patch;
+    pixel.group = patch.group;
+    if (look.material->shines) {
+      pixel.colour = look.material->emission;
+      continue;
+    }
+    const float u = packet.rays.hit.u[i];
+    const float v = packet.rays.hit.v[i];
+    albedo[i] = look.material->texture->sample(*look.level[(i ^ (i >> 2U)) & 1U],
+                                               Patch::at(patch.s, u, v), Patch::at(patch.t, u, v));
+    V4 light = light_at(patch, look.light, u, v);
+    if (look.sun > 0.0F && light[3] > 0.0F) {
+      sun[i] = look.sun;
+      normal[i] = patch.normal;
+      any_sun = true;
+    }
+    light *=
+        splat(people && !look.person ? flicker_ * hidden_by_people(packet.place(i), patch.normal)
+                                     : flicker_);
+    float mirror = 0.0F;
+    if (look.material->gloss > 0.0F) {
+      const Vec3 d = packet.direction(i);
+      mirror = mirrored(look.material->gloss, std::abs(dot(d, patch.normal)) / length(d));
+      albedo[i] *= splat(1.0F - mirror);
+    }
+    pixel.colour = albedo[i] * light;
+    pixel.colour[3] = mirror;
+  }
+  if (!any_sun) return;
+  cast_to_sun(packet, normal, sun);
+  for (unsigned i = 0; i < Packet::kSize; ++i) {
+    if (sun[i] > 0.0F) out[i].colour += albedo[i] * bgr(0.86F, 0.97F, 1.06F) * splat(sun[i]);
+  }
+}
+
+}  // namespace striate::simulator::render

@@ -1,0 +1,54 @@
+#pragma once
+
+#include "platform/simulator/render/people.hpp"
+#include "platform/simulator/render/stage.hpp"
+
+namespace striate::simulator::render {
+
+/// What one ray sees. Lane 3 of `colour`: weight of the mirror image that must still be added.
+struct Shaded {
+  V4 colour{};
+  int group = 0;  ///< Patch::group; large negative where nothing was hit
+};
+
+/// Turns hits into light: texture, baked light, sun, and people's contact shadows.
+class Shader {
+ public:
+  static constexpr int kNothing = -1000000;
+
+  Shader(const Stage& stage, const BakedLight& baked, const People& people, const Tracer& tracer)
+      : stage_(stage), baked_(baked), people_(people), tracer_(tracer) {}
+
+  /// `flicker`: of the lamps in this picture, about 1.
+  void begin_picture(float flicker) { flicker_ = flicker; }
+
+  /// Shades the valid lanes of a traced packet. `spread`: width of a pixel at distance one, grown
+  /// for blurred mirror images. `before_m`: of way that the light went before (mirrors).
+  void shade(const Packet& packet, float spread, const float* before_m, Shaded* out) const;
+
+ private:
+  /// What neighbouring rays on one patch have in common.
+  struct Look {
+    const Patch* patch = nullptr;
+    const Material* material = nullptr;
+    /// Two mip levels a little apart, used in turn: no border is seen where the level changes.
+    std::array<const Texture::Level*, 2> level{};
+    const V4* light = nullptr;
+    float sun = 0.0F;  ///< irradiance where it shines on the patch
+    bool person = false;
+  };
+  [[nodiscard]] Look look_at(const Packet& packet, unsigned lane, float spread,
+                             float before_m) const;
+  [[nodiscard]] float hidden_by_people(Vec3 place, Vec3 normal) const;
+  [[nodiscard]] bool people_near(const Packet& packet) const;
+  void cast_to_sun(const Packet& packet, const std::array<Vec3, Packet::kSize>& normal,
+                   std::array<float, Packet::kSize>& sun) const;
+
+  const Stage& stage_;
+  const BakedLight& baked_;
+  const People& people_;
+  const Tracer& tracer_;
+  float flicker_ = 1.0F;
+};
+
+}  // namespace striate::simulator::render

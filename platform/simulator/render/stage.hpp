@@ -1,0 +1,55 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "platform/simulator/obstacle_shapes.hpp"
+#include "platform/simulator/render/outdoors.hpp"
+#include "platform/simulator/render/patches.hpp"
+#include "platform/simulator/scene.hpp"
+#include "platform/simulator/world.hpp"
+
+namespace striate::simulator::render {
+
+/// A fluorescent panel under the ceiling, shining down.
+struct Lamp {
+  Vec3 centre;
+  Vec3 along;   ///< half its length
+  Vec3 across;  ///< half its width
+  float exitance = 0.0F;
+
+  [[nodiscard]] float area_m2() const { return 4.0F * length(along) * length(across); }
+};
+
+struct SunLight {
+  Vec3 towards;  ///< unit vector to the sun
+  float irradiance = 0.0F;
+};
+
+/// Everything that stands still, before it is lit. Light is in units of the irradiance on the
+/// floor of a bright office corridor.
+struct Stage {
+  Materials materials;
+  std::vector<Patch> patches;
+  int light_texels = 0;
+  std::vector<Lamp> lamps;
+  std::optional<SunLight> sun;
+  Outdoors outdoors;
+  float sky = 0.0F;  ///< brightness of the view through the windows
+};
+
+/// Throws UserError for a material that is neither shipped nor a file.
+[[nodiscard]] Stage build_stage(const World& world, const FloorPlan& plan);
+
+// The parts of it, each in its own file.
+void add_floor_and_ceiling(PatchList& patches, const World& world, const FloorPlan& plan);
+void add_walls(PatchList& patches, const World& world, const FloorPlan& plan);
+void add_door(PatchList& patches, const Stand& wall, float middle_m, const Door& door, int number);
+void add_pillar(PatchList& patches, const Pillar& pillar, const World& world,
+                const FloorPlan& plan);
+void add_lamps(PatchList& patches, std::vector<Lamp>& lamps, const World& world,
+               const FloorPlan& plan);
+void add_obstacle(PatchList& patches, const WorldObstacle& obstacle, const FloorPlan& plan);
+void add_object(PatchList& patches, const WorldObject& object, const FloorPlan& plan);
+
+}  // namespace striate::simulator::render

@@ -1,0 +1,117 @@
+#include "platform/simulator/world_reader.hpp"
+
+#include <fmt/format.h>
+
+#include "config/map_reader.hpp"
+#include "platform/interface/robot.hpp"
+#include "platform/simulator/obstacle_shapes.hpp"
+#include "platform/simulator/static_shapes.hpp"
+#include "platform/simulator/world_entry.hpp"
+
+namespace striate::simulator {
+namespace {
+
+using config::MapReader;
+using config::Mistakes;
+using config::Node;
+using config::Unit;
+
+/// The robot starts free of everything; `what` and `shape` name one thing that may be in the way.
+bool check_start_clear(WorldEntry& entry, const ConvexShape& robot, const std::string& what,
+                       const ConvexShape& shape) {
+  if (!entry.sound() || distance_m(robot, shape) > 0.0) return entry.sound();
+  entry.add("at", fmt::format("the start overlaps {}", what),
+            "the robot reaches 0.21 m forward, 0.3 m back, and 0.22 m to either side");
+  return false;
+}
+
+void read_start(MapReader& root, World& world) {
+  const Node* node = root.raw("start");
+  const Node whole = node != nullptr ? *node : root.node();
+  WorldEntry entry(whole, "the start", world, root.mistakes());
+  if (node != nullptr) {
+    Point2 at{world.start.x_m, world.start.y_m};
+    entry.require_point("at", at);
+    entry.map().number("heading", world.start.heading_rad, Unit::angle,
+                       {radians(-360), radians(360)});
+    entry.finish();
+    world.start.x_m = at.x_m;
+    world.start.y_m = at.y_m;
+  }
+  entry.check_inside("at", {world.start.x_m, world.start.y_m});
+  if (!entry.sound()) return;
+  const FloorPlan plan = build_floor_plan(world);
+  Pose2 pose = plan.at(world.start.x_m, world.start.y_m);
+  pose.heading_rad += world.start.heading_rad;
+  const ConvexShape robot = moved(robot_footprint(RobotDescription{}), pose);
+  for (const StaticShape& wall : wall_shapes(plan)) {
+    check_start_clear(entry, robot, "a wall", wall.shape);
+  }
+  for (const StaticShape& thing : standing_shapes(world, plan)) {
+    check_start_clear(entry, robot, thing.name, thing.shape);
+  }
+  for (const Stander& stander : world.standers) {
+    const Pose2 at = plan.at(stander.at.x_m, stander.at.y_m);
+    check_start_clear(entry, robot, "a person", disc({at.x_m, at.y_m}, kPersonRadius_m));
+  }
+}
+
+void read_goal(MapReader& root, World& world) {
+  world.goal_beyond_m = world.length_m - 2.0;
+  const Node* node = root.raw("goal");
+  if (node == nullptr) return;
+  WorldEntry entry(*node, "the goal", world, root.mistakes());
+  entry.require_length("beyond", world.goal_beyond_m, {-1000.0, 1000.0});
+  entry.finish();
+  if (!entry.sound()) return;
+  entry.check_along("beyond", world.goal_beyond_m);
+  const double reachable = world.length_m - RobotDescription{}.front_m;
+  if (entry.sound() && world.goal_beyond_m <= world.start.x_m) {
+    entry.add("beyond", fmt::format("the goal ({}) must lie beyond the start ({})",
+                                    metres(world.goal_beyond_m), metres(world.start.x_m)));
+  } else if (entry.sound() && world.goal_beyond_m >= reachable) {
+    entry.add("beyond", "the robot would touch the end wall before it reaches the goal",
+              fmt::format("the middle of its axle gets to {} at most", metres(reachable)));
+  }
+}
+
+World read_root(const Node& node, Mistakes& mistakes) {
+  World world;
+  world.file = mistakes.file();
+  if (node.kind == Node::Kind::nothing) return world;  // the parser has said why
+  MapReader root(node, "the world", mistakes);
+  if (node.kind != Node::Kind::map) return world;
+  int version = 1;
+  if (root.require("striate_world")) root.integer("striate_world", version, {1, 1});
+  if (root.require("name")) root.text("name", world.name);
+  // Each part is checked against those before it: the file's own order does not matter.
+  read_corridor(root, world);
+  read_walls(root, world);
+  read_lights(root, world);
+  read_things(root, world);
+  read_people(root, world);
+  read_start(root, world);
+  read_goal(root, world);
+  root.finish();
+  return world;
+}
+
+}  // namespace
+
+World parse_world(const std::string& text, Mistakes& mistakes) {
+  mistakes.set_source(text);
+  return read_root(config::parse_yaml(text, mistakes), mistakes);
+}
+
+World read_world(Mistakes& mistakes) {
+  return read_root(config::load_yaml(mistakes), mistakes);
+}
+
+World load_world(const std::string& file) {
+  Mistakes mistakes(file);
+  World world = read_world(mistakes);
+  mistakes.throw_if_any();
+  return world;
+}
+
+}  // namespace striate::simulator

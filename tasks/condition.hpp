@@ -1,0 +1,36 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "config/quantity.hpp"
+#include "memory/short_term_memory.hpp"
+#include "platform/interface/time.hpp"
+
+namespace striate {
+
+/// A goal detector: looks at memory, never at the body.
+class Condition {
+ public:
+  virtual ~Condition() = default;
+  /// Called when the action that it belongs to starts.
+  virtual void start(const ShortTermMemory& /*memory*/) {}
+  [[nodiscard]] virtual bool holds(const ShortTermMemory& memory) const = 0;
+};
+
+/// One kind of condition that scripts can name, e.g. `{travelled: 58 m}`.
+struct ConditionEntry {
+  std::string name;
+  std::string help;
+  config::Unit unit;
+  config::Range range;
+  std::unique_ptr<Condition> (*make)(double value_si);
+};
+
+[[nodiscard]] const std::vector<ConditionEntry>& condition_registry();
+
+/// Reads `{name: value}`; nullptr with mistakes added where that fails.
+std::unique_ptr<Condition> read_condition(const config::Node& node, config::Mistakes& mistakes);
+
+}  // namespace striate

@@ -1,0 +1,110 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "app/place_text.hpp"
+#include "app/run_result.hpp"
+#include "app/trial/process_pool.hpp"
+#include "app/trial/trial_plan.hpp"
+#include "app/trial/trial_table.hpp"
+#include "config/user_error.hpp"
+
+namespace striate {
+namespace {
+
+using testing::HasSubstr;
+
+RunResult run(const std::string& world, std::uint64_t seed, bool success) {
+  RunResult result;
+  result.world = "config/worlds/" + world + ".yaml";
+  result.task = "t.yaml";
+  result.seed = seed;
+  result.outcome = success ? "success" : "collision";
+  result.distance_m = 57.0;
+  result.duration_s = 150.0;
+  if (!success) result.collisions.push_back({12.5, 3.25, -0.5, "table_1", 0.1, false});
+  return result;
+}
+
+TEST(WilsonInterval, AgreesWithPublishedValues) {
+  // Newcombe 1998, table I: 81 of 263 gives 0.2553 to 0.3662.
+  const Interval interval = wilson_interval(81, 263);
+  EXPECT_NEAR(interval.low, 0.2553, 5e-4);
+  EXPECT_NEAR(interval.high, 0.3662, 5e-4);
+  EXPECT_NEAR(wilson_interval(20, 20).low, 0.8389, 5e-4);
+  EXPECT_DOUBLE_EQ(wilson_interval(20, 20).high, 1.0);
+}
+
+TEST(TrialTable, CountsSuccessesAndCausesByWorld) {
+  const std::string table =
+      trial_table({run("corridor_a", 1, true), run("corridor_a", 2, false), run("mine", 1, true)});
+  EXPECT_THAT(table, HasSubstr("| corridor_a | 1 / 2 | 50 % |"));
+  EXPECT_THAT(table, HasSubstr("| 17 / 20 |"));
+  EXPECT_THAT(table, HasSubstr("| mine | 1 / 1 | 100 % |"));
+  EXPECT_THAT(table, HasSubstr("| all | 2 / 3 |"));
+  EXPECT_THAT(table, HasSubstr("1 x touched table, still, in the dark"));
+}
+
+TEST(RunResult, JsonRoundTripKeepsEverything) {
+  RunResult result = run("corridor_b", 7, false);
+  result.reason = "a \"quoted\" reason";
+  result.emergency_layer = false;
+  const RunResult back = run_result_from_json(nlohmann::json::parse(to_json(result).dump()));
+  EXPECT_EQ(to_json(back).dump(), to_json(result).dump());
+  EXPECT_THROW((void)run_result_from_json(nlohmann::json::parse("{\"outcome\": 3}")),
+               std::runtime_error);
+}
+
+TEST(TrialPlan, NamesEveryRunOnce) {
+  TrialOptions options;
+  options.worlds = {"x/a.yaml", "b.yaml"};
+  options.runs = 3;
+  options.first_seed = 5;
+  options.out = "o";
+  options.emergency_layer = false;
+  const auto runs = plan_trial(options);
+  ASSERT_EQ(runs.size(), 6U);
+  EXPECT_EQ(runs[0].result_file, "o/runs/a_seed005.json");
+  EXPECT_EQ(runs[5].seed, 7U);
+  EXPECT_THAT(command_of(runs[0], options, "striate"), testing::Contains("--no-emergency"));
+}
+
+TEST(ProcessPool, RunsAllAndTellsHowEachEnded) {
+  std::vector<int> codes(4, -2);
+  std::string said;
+  run_processes(
+      {{"/bin/sh", "-c", "exit 0"},
+       {"/bin/sh", "-c", "echo oops >&2; exit 3"},
+       {"/bin/sh", "-c", "kill -9 $$"},
+       {"/bin/sh", "-c", "exit 1"}},
+      2,
+      [&](const ProcessEnd& end) {
+        codes[end.job] = end.exit_code;
+        if (end.job == 1) said = end.output;
+      },
+      [] { return false; });
+  EXPECT_THAT(codes, testing::ElementsAre(0, 3, -1, 1));
+  EXPECT_EQ(said, "oops\n");
+}
+
+TEST(ProcessPool, CancellingEndsTheRunningAndStartsNoMore) {
+  int ends = 0;
+  run_processes(
+      {{"/bin/sleep", "60"}, {"/bin/sleep", "60"}, {"/bin/sleep", "60"}}, 2,
+      [&](const ProcessEnd&) { ++ends; }, [calls = 0]() mutable { return ++calls > 2; });
+  EXPECT_EQ(ends, 2);
+}
+
+TEST(PlaceText, ReadsPlacesAndRefusesOthers) {
+  const Pose2 place = parse_place("12 m, 20 cm, 5 deg");
+  EXPECT_DOUBLE_EQ(place.x_m, 12.0);
+  EXPECT_DOUBLE_EQ(place.y_m, 0.2);
+  EXPECT_NEAR(degrees(place.heading_rad), 5.0, 1e-9);
+  EXPECT_DOUBLE_EQ(parse_place("1 m, -0.5 m").y_m, -0.5);
+  for (const char* text :
+       {"", "12", "12 m", "12 m, 3", "1 m, 2 m, 3 m", "1 m, 2 m, 3 deg, 4", "]"}) {
+    EXPECT_THROW((void)parse_place(text), UserError) << text;
+  }
+}
+
+}  // namespace
+}  // namespace striate
