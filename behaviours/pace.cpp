@@ -58,15 +58,21 @@ double stopping_speed(double distance_m, double deceleration, double latency_s) 
   return std::sqrt(lag * lag + 2.0 * deceleration * distance_m) - lag;
 }
 
-double margin_of_next(const FloorField& field, const Way& way, double half_width_m) {
-  double least_m = FloorField::kFar_m;
+struct Margins {
+  double things_m = FloorField::kFar_m;
+  double edges_m = FloorField::kFar_m;
+};
+
+Margins margins_of_next(const FloorField& field, const Way& way, double half_width_m) {
+  Margins least;
   for (double s = 0.0; s <= 0.9; s += kStep_m) {
     const Point2 place = Steering::point_at(way, s);
     // The edge of what is known may be a wall, but is less likely one.
     const double edge_m = field.seen_clearance_m(place) + kEdgeTrust_m;
-    least_m = std::min({least_m, field.clearance_m(place) - half_width_m, edge_m - half_width_m});
+    least.things_m = std::min(least.things_m, field.clearance_m(place) - half_width_m);
+    least.edges_m = std::min(least.edges_m, edge_m - half_width_m);
   }
-  return least_m;
+  return least;
 }
 
 }  // namespace
@@ -103,10 +109,13 @@ Pace pace_for(const PaceSettings& settings, const RobotDescription& robot,
                                       0.8 * robot.max_acceleration_m_s2, settings.latency_s);
   cap(pace, std::max(known, settings.unknown_m_s), "the floor ahead is not seen free");
 
-  const double margin_m = margin_of_next(field, way, robot.half_width_m);
-  const double roomy = std::clamp((margin_m - 0.08) / (settings.roomy_m - 0.08), 0.0, 1.0);
-  cap(pace, settings.narrow_m_s + roomy * (robot.max_forward_m_s - settings.narrow_m_s),
-      "it is narrow");
+  const Margins margins = margins_of_next(field, way, robot.half_width_m);
+  const auto roomy = [&settings, &robot](double margin_m, double least_m_s) {
+    const double share = std::clamp((margin_m - 0.08) / (settings.roomy_m - 0.08), 0.0, 1.0);
+    return least_m_s + share * (robot.max_forward_m_s - least_m_s);
+  };
+  cap(pace, roomy(margins.things_m, settings.narrow_m_s), "it is narrow");
+  cap(pace, roomy(margins.edges_m, settings.unknown_m_s), "little is known beside the way");
 
   const Mover mover = nearest_mover(memory, 0.7);
   pace.mover_m = mover.distance_m;

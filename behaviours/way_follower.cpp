@@ -9,7 +9,7 @@
 namespace striate {
 namespace {
 
-constexpr double kLookDown_rad = -0.50;
+constexpr double kLookDown_rad = -0.58;
 constexpr double kGlanceDown_rad = -0.42;
 constexpr double kLookSweep_s = 4.0;
 constexpr double kSweep_rad = 0.9;
@@ -89,6 +89,8 @@ Wish WayFollower::tick(const ShortTermMemory& memory, const Course& course) {
   request.least_margin_m = least_margin_m();
   request.left_wall_m = course.left_wall_m;
   request.right_wall_m = course.right_wall_m;
+  request.middle_left_m = course.middle_left_m;
+  request.half_corridor_m = course.half_corridor_m;
   planner_.plan(field_, memory.pose(), request);
   if (troubles_ >= settings_.tries) {
     return final_wish(memory, Progress::failed,

@@ -44,6 +44,8 @@ struct Course {
   double cruise_m_s = 0.45;
   double left_wall_m = kNothing_m;
   double right_wall_m = kNothing_m;
+  double middle_left_m = 0.0;           ///< the corridor's middle, to the left of the robot
+  double half_corridor_m = kNothing_m;  ///< half its width
 };
 
 /// Plans on the map, follows the way, and gets out of trouble: waits for what may pass, looks

@@ -10,8 +10,8 @@ namespace {
 constexpr double kStartHeadingStd_rad = 0.10;
 constexpr double kStartOffsetStd_m = 0.30;
 constexpr double kTurnDrift = 0.015;        // of the turning, twice what is published
-constexpr double kHeadingWalk_rad = 0.004;  // per square root of a metre
-constexpr double kOffsetWalk_m = 0.02;      // per square root of a metre
+constexpr double kHeadingWalk_rad = 0.008;  // per square root of a metre
+constexpr double kOffsetWalk_m = 0.05;      // per square root of a metre
 constexpr double kHeadingGate_rad = 0.12;
 constexpr double kOffsetGate_m = 0.35;
 constexpr double kWidthGain = 0.06;

@@ -16,7 +16,10 @@ constexpr std::size_t kMostRegions = 64;
 
 ShortTermMemory::ShortTermMemory(const ShortTermMemorySettings& settings,
                                  const RobotDescription& robot)
-    : settings_(settings), robot_(robot), evidence_(settings.evidence), salient_(settings.salient) {
+    : settings_(settings),
+      robot_(robot),
+      evidence_(settings.evidence, robot.camera_height_m),
+      salient_(settings.salient) {
   regions_now_.reserve(kMostRegions);
 }
 
@@ -69,7 +72,7 @@ void ShortTermMemory::see(const Percept& percept) {
   noise_level_ = percept.noise_level;
   if (!history_.reaches(percept.stamp)) return;  // too old to say where it belongs
   const Pose2 at = history_.at(percept.stamp);
-  evidence_.write(percept.columns, at, percept.stamp, grid_);
+  evidence_.write(percept, at, grid_);
   corridor_.see(percept.corridor, at, pose_);
 
   int knowing = 0;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 
 namespace striate {
@@ -12,6 +13,8 @@ constexpr double kNearest_m = 0.35;
 constexpr double kFarthest_m = 3.15;
 constexpr double kBin_m = 0.05;
 constexpr int kBins = 56;  // (kFarthest_m - kNearest_m) / kBin_m
+constexpr double kPiece_m = 0.25;
+constexpr double kPiecesFrom_m = 7.5;
 constexpr int kTurns = 12;
 constexpr double kTurn_rad = 0.0131;  // 0.75 degrees
 constexpr double kLeastLength_m = 1.5;
@@ -23,7 +26,16 @@ struct Bin {
   float cells = 0.0F;
   float least_m = 1e3F;
   float most_m = -1e3F;
+  std::uint64_t pieces = 0;  // quarter metres along it that hold anything
 };
+
+// Boxes in a row are no wall: most of a wall's length is there.
+bool solid(const Bin& a, const Bin& b, const Bin& c) {
+  const int pieces = std::popcount(a.pieces | b.pieces | c.pieces);
+  const float length_m =
+      std::max({a.most_m, b.most_m, c.most_m}) - std::min({a.least_m, b.least_m, c.least_m});
+  return static_cast<double>(pieces) * kPiece_m > 0.7 * static_cast<double>(length_m);
+}
 
 bool still_thing(const LocalGrid& grid, GridCell cell) {
   return grid.state(cell) == FloorState::occupied && grid.moving(cell) <= 0.2F;
@@ -70,6 +82,9 @@ WallFitter::Line WallFitter::strongest(double turn_rad, double side) const {
     bin.cells += 1.0F;
     bin.least_m = std::min(bin.least_m, along_m);
     bin.most_m = std::max(bin.most_m, along_m);
+    const auto piece =
+        static_cast<unsigned>((static_cast<double>(along_m) + kPiecesFrom_m) / kPiece_m);
+    bin.pieces |= std::uint64_t{1} << std::min(63U, piece);
   }
   Line best;
   for (std::size_t i = 1; i + 1 < bins.size(); ++i) {
@@ -78,6 +93,7 @@ WallFitter::Line WallFitter::strongest(double turn_rad, double side) const {
     const double score = bins[i].cells * sum;
     const float length_m = bins[i].most_m - bins[i].least_m;
     if (score <= best.score || sum < kLeastScore || length_m < kLeastLength_m) continue;
+    if (!solid(bins[i - 1], bins[i], bins[i + 1])) continue;
     const double shift = (bins[i + 1].cells - bins[i - 1].cells) / sum;
     best = {score, kNearest_m + (static_cast<double>(i) + 0.5 + shift) * kBin_m, true};
   }

@@ -24,18 +24,31 @@ std::array<float, 2 * kScoreLimit + 1> make_logistic() {
 
 const std::array<float, 2 * kScoreLimit + 1> kLogistic = make_logistic();
 
+/// A winner that is hardly better than another disparity says nothing (sums of 8 paths).
+constexpr int kLeastMargin = 8;
+/// Responses of the strongest cell below 2^4 (its energy below 2^8), about a quarter of a grey
+/// level, are no texture but the rounding of the picture.
+constexpr int kLeastTexture = 8 * 2048;
+/// Where a good match is as good elsewhere, the pixel itself does not tell the two apart: stripes,
+/// a wall's even shading. What its neighbours say of it is not certain, however smooth. (Bad
+/// matches are so in noise, where neighbours can be trusted: the regression knows them.)
+constexpr int kGoodCost = 24;
+constexpr float kMostIfAmbiguous = 0.45F;
+
 }  // namespace
 
-/// Logistic regression on 13 public pairs (the table's) in six states of light and noise, from a
-/// clean picture to a tenth of the light, with the default penalties: "right within 1.25 px" of
-/// the whole disparity, after the left-right check. In each of the six states the shares that were
-/// right lie within about 0.1 of what is estimated.
+/// Logistic regression on 13 public pairs (those of stereo_table) in six states of light and
+/// noise, from a clean picture to a tenth of the light, and on blank noisy walls, where every
+/// disparity counts as wrong; default penalties, "right within 1.25 px" of the whole disparity,
+/// after the left-right check. The margin of the sums adds nothing to these; what matters is the
+/// smoothed sum beyond 8 times the raw cost, which smoothness paid because neighbours disagree.
 float stereo_confidence(const StereoEvidence& e) {
-  // The smoothed sum minus 8 times the raw cost is what smoothness paid: neighbours disagree.
-  const int score =
-      -6 + 67 * e.margin / (e.sum + 32) + 59 * e.cost / 8 - 211 * e.sum / 256 + e.texture / 330;
-  return kLogistic[static_cast<std::size_t>(std::clamp(score, -kScoreLimit, kScoreLimit) +
-                                            kScoreLimit)];
+  if (e.margin < kLeastMargin || e.texture < kLeastTexture) return 0.0F;
+  const int score = 152 + 31 * e.cost / 4 + e.texture / 299 - 15 * e.sum / 14;
+  const float confidence = kLogistic[static_cast<std::size_t>(
+      std::clamp(score, -kScoreLimit, kScoreLimit) + kScoreLimit)];
+  const bool ambiguous = e.raw_margin <= 0 && e.cost < kGoodCost;
+  return ambiguous ? std::min(confidence, kMostIfAmbiguous) : confidence;
 }
 
 }  // namespace striate

@@ -7,7 +7,7 @@
 namespace striate {
 namespace {
 
-constexpr int kBest = 0, kSmallest = 1, kSecond = 2, kRightBest = 3;
+constexpr int kBest = 0, kSmallest = 1, kSecond = 2, kRawSecond = 3, kRightBest = 4;
 
 int strongest_response(const V1Responses& responses, int y, int x) {
   int strongest = -32768;
@@ -25,12 +25,12 @@ Decision::Decision(const RobustStereoSettings& settings)
 void Decision::find_winners(const Input& input, int y) {
   const Volume<std::uint16_t>& steep = input.smoothed.steep_sums();
   const Volume<std::uint8_t>& level = input.smoothed.level_means();
-  const stereo_kernels::SmoothedRow from{steep.line(y),   steep.stride(),       level.line(y),
-                                         level.stride(),  input.outside.row(0), input.costs.width(),
-                                         input.candidates};
+  const stereo_kernels::SmoothedRow from{
+      steep.line(y),       steep.stride(),       level.line(y),       level.stride(),
+      input.costs.line(y), input.outside.row(0), input.costs.width(), input.candidates};
   stereo_kernels::find_winners(
       from, {sums_.row(0), sums_.stride(), winners_.row(kBest), winners_.row(kSmallest),
-             winners_.row(kSecond), winners_.row(kRightBest)});
+             winners_.row(kSecond), winners_.row(kRawSecond), winners_.row(kRightBest)});
 }
 
 /// The lowest point of two lines of equal and opposite slope through the three sums
@@ -56,8 +56,9 @@ void Decision::decide_row(const Input& input, int y, DisparityMap& out) {
     const int smallest = winners_.row(kSmallest)[x];
     const int second = winners_.row(kSecond)[x];
     if (std::abs(winners_.row(kRightBest)[x - best] - best) > settings_.left_right_px) continue;
+    const int cost = costs[best * input.costs.stride() + x];
     const float confidence =
-        stereo_confidence({second - smallest, smallest, costs[best * input.costs.stride() + x],
+        stereo_confidence({second - smallest, smallest, winners_.row(kRawSecond)[x] - cost, cost,
                            strongest_response(input.left, y, x)});
     if (confidence < least_confidence_) continue;
     disparities[x] = sub_pixel(best, x, std::min(input.candidates, x + 1));
@@ -99,7 +100,7 @@ void Decision::decide(const Input& input, DisparityMap& out) {
   const int width = input.costs.width();
   const int old_stride = sums_.stride(), old_height = sums_.height();
   sums_.resize(width, input.candidates, input.candidates + 64, 0);
-  winners_.resize(width, 4, 0, 0);
+  winners_.resize(width, 5, 0, 0);
   if (sums_.stride() != old_stride || sums_.height() != old_height) {
     for (int d = 0; d < input.candidates; ++d) {
       std::uint16_t* row = sums_.row(d);

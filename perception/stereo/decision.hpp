@@ -14,10 +14,11 @@ namespace striate {
 
 /// What a pixel's disparity rests on; integers, so that every machine decides alike.
 struct StereoEvidence {
-  int margin = 0;   ///< smoothed cost of the runner-up minus the winner's, sums of 8 paths
-  int sum = 0;      ///< smoothed cost of the winner, sum of 8 paths
-  int cost = 0;     ///< raw Hamming distance of the winner, bits
-  int texture = 0;  ///< code of the strongest complex cell, from its least value: 2048 an octave
+  int margin = 0;      ///< smoothed cost of the runner-up minus the winner's, sums of 8 paths
+  int sum = 0;         ///< smoothed cost of the winner, sum of 8 paths
+  int raw_margin = 0;  ///< raw cost of the best other disparity minus the winner's; may be negative
+  int cost = 0;        ///< raw Hamming distance of the winner, bits
+  int texture = 0;     ///< code of the strongest complex cell, from its least value: 2048 an octave
 };
 
 /// From smoothed costs to disparities: which to trust, and how much. Keeps its buffers.
@@ -43,7 +44,7 @@ class Decision {
   RobustStereoSettings settings_;
   float least_confidence_;
   Plane<std::uint16_t> sums_;     ///< of one row, [disparity][column]
-  Plane<std::uint16_t> winners_;  ///< rows: best, smallest, second, right_best
+  Plane<std::uint16_t> winners_;  ///< rows: best, smallest, second, raw_second, right_best
   std::vector<std::uint8_t> seen_;
   std::vector<int> piece_;
 };

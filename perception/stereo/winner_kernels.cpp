@@ -55,17 +55,21 @@ void LeftWinners(const SmoothedRow& from, const WinnerRow& to) {
 
 void RunnersUp(const SmoothedRow& from, const WinnerRow& to) {
   const D16 d16;
+  const hn::Rebind<std::uint8_t, D16> d8;
   const int step = static_cast<int>(hn::Lanes(d16));
   for (int x = 0; x < from.width; x += step) {
     const V16 before = hn::Sub(hn::LoadU(d16, to.best + x), Number(1));
-    V16 second = Number(65535);
+    V16 second = Number(65535), raw_second = Number(255);
     for (int d = 0; d < from.disparities; ++d) {
       const V16 sum = hn::LoadU(d16, to.sums + d * to.stride + x);
       // d - (best - 1) is 0, 1 or 2, modulo 2^16, at the winner and beside it.
       const V16 apart = hn::Sub(Number(d), before);
       const auto beside = hn::Eq(hn::Min(apart, Number(2)), apart);
       second = hn::Min(second, hn::IfThenElse(beside, Number(65535), sum));
+      const V16 cost = hn::PromoteTo(d16, hn::LoadU(d8, from.costs + d * from.mean_stride + x));
+      raw_second = hn::Min(raw_second, hn::IfThenElse(beside, Number(255), cost));
     }
+    hn::StoreU(raw_second, d16, to.raw_second + x);
     hn::StoreU(second, d16, to.second + x);
   }
 }

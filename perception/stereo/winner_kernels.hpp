@@ -11,6 +11,7 @@ struct SmoothedRow {
   int sum_stride = 0;
   const std::uint8_t* level_means = nullptr;  ///< count twice
   int mean_stride = 0;
+  const std::uint8_t* costs = nullptr;    ///< raw matching costs, `mean_stride` apart
   const std::uint8_t* outside = nullptr;  ///< outside[x - d] = 255: no right pixel there
   int width = 0;
   int disparities = 0;
@@ -24,6 +25,7 @@ struct WinnerRow {
   std::uint16_t* best = nullptr;      ///< the disparity with the smallest sum; ties: the smaller
   std::uint16_t* smallest = nullptr;  ///< its sum
   std::uint16_t* second = nullptr;    ///< smallest sum of disparities that differ by 2 or more
+  std::uint16_t* raw_second = nullptr;  ///< smallest raw cost of those
   std::uint16_t* right_best = nullptr;  ///< the right picture's pixels: their best disparity
 };
 

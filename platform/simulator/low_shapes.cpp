@@ -5,8 +5,12 @@
 namespace striate::simulator {
 namespace {
 
-constexpr double kLegM = 0.05;
-constexpr double kPotShare = 0.6;  ///< of a plant's width
+// As the renderer draws them.
+constexpr double kTableLegM = 0.055;
+constexpr double kTableLegInM = 0.03;  ///< from the top's edge to the leg
+constexpr double kChairLegM = 0.026;
+constexpr double kChairLegInM = 0.022;
+constexpr double kPotShare = 0.48;  ///< of a plant's width
 
 std::vector<ConvexShape> low_outline(const WorldObstacle& obstacle, const FloorPlan& plan) {
   Pose2 pose = plan.at(obstacle.at.x_m, obstacle.at.y_m);
@@ -18,12 +22,15 @@ std::vector<ConvexShape> low_outline(const WorldObstacle& obstacle, const FloorP
   if (obstacle.kind != ObstacleKind::table && obstacle.kind != ObstacleKind::chair) {
     return obstacle_outline(obstacle, plan);
   }
+  const bool table = obstacle.kind == ObstacleKind::table;
+  const double leg = table ? kTableLegM : kChairLegM;
+  const double in = table ? kTableLegInM : kChairLegInM;
   std::vector<ConvexShape> legs;
   for (const double x : {-1.0, 1.0}) {
     for (const double y : {-1.0, 1.0}) {
       const Point2 at =
-          to_outer(pose, Point2{x * (size.x_m - kLegM) / 2, y * (size.y_m - kLegM) / 2});
-      legs.push_back(rectangle({at.x_m, at.y_m, pose.heading_rad}, kLegM, kLegM));
+          to_outer(pose, Point2{x * ((size.x_m - leg) / 2 - in), y * ((size.y_m - leg) / 2 - in)});
+      legs.push_back(rectangle({at.x_m, at.y_m, pose.heading_rad}, leg, leg));
     }
   }
   return legs;

@@ -37,6 +37,7 @@ class Camera {
     percept.disparity.focal_px = kFocal_px;
     percept.columns.resize(kColumns);
     see_all(world, percept);
+    group(percept);
     fatten(percept);
     disturb(percept);
     if (world.layout().corridor_views && random_.chance(0.5)) see_corridor(world, percept);
@@ -53,6 +54,7 @@ class Camera {
 
   void see_all(const World& world, Percept& percept) {
     double node[kColumns / 8 + 2];
+    heights_m_.assign(kColumns, 0.0);
     for (double& n : node) n = errors_.disparity_px * random_.normal();
     for (int u = 0; u < kColumns; ++u) {
       const double bearing = world.head().pan_rad + std::atan((79.5 - u) / kFocal_px);
@@ -61,11 +63,13 @@ class Camera {
       const double t = (u % 8) / 8.0;
       const double error_px = (1.0 - t) * node[u / 8] + t * node[u / 8 + 1] +
                               errors_.own_disparity_px * random_.normal();
-      see(world, bearing, error_px, column);
+      heights_m_[static_cast<std::size_t>(u)] = see(world, bearing, error_px, column);
     }
   }
 
-  void see(const World& world, double bearing, double error_px, Column& column) {
+  /// Returns the height of the highest part seen of what the column meets.
+  double see(const World& world, double bearing, double error_px, Column& column) {
+    double height_m = 0.0;
     hits_.clear();
     cast(world, bearing);
     std::sort(hits_.begin(), hits_.end(),
@@ -84,6 +88,7 @@ class Camera {
         if (!hit.blank && disparity > 2.5) {
           column.obstacle_m = kDisparityMetre / disparity;
           column.obstacle_confidence = 0.9;
+          height_m = seen_high;
           floor_to_m = std::min(floor_to_m, column.obstacle_m - 0.1);
         }
         break;
@@ -101,6 +106,7 @@ class Camera {
       column.free_to_m = floor_to_m;
       column.free_confidence = 0.8;
     }
+    return height_m;
   }
 
   void cast(const World& world, double bearing) {
@@ -135,6 +141,25 @@ class Camera {
     }
     for (const Person& person : world.layout().people) {
       if (person.present()) round(person.at, kPersonRadius_m, kPersonTop_m);
+    }
+  }
+
+  // Neighbouring columns at about the same distance are one blob.
+  void group(Percept& percept) const {
+    for (int u = 0; u < kColumns; ++u) {
+      const Column& column = percept.columns[static_cast<std::size_t>(u)];
+      if (!std::isfinite(column.obstacle_m)) continue;
+      const double height_m = heights_m_[static_cast<std::size_t>(u)];
+      if (!percept.obstacles.empty() && percept.obstacles.back().to_u_px == u - 1 &&
+          std::abs(percept.obstacles.back().distance_m - column.obstacle_m) < 0.25) {
+        Obstacle& blob = percept.obstacles.back();
+        blob.to_u_px = u;
+        blob.distance_m = std::min(blob.distance_m, column.obstacle_m);
+        blob.height_m = std::max(blob.height_m, height_m);
+      } else {
+        percept.obstacles.push_back(
+            {column.bearing_rad, column.obstacle_m, 0.0, height_m, 0.9, u, u});
+      }
     }
   }
 
@@ -195,6 +220,7 @@ class Camera {
   Random random_;
   CameraErrors errors_;
   std::vector<Hit> hits_;
+  std::vector<double> heights_m_;
 };
 
 }  // namespace striate::flat

@@ -103,11 +103,13 @@ inline void add_person(Layout& layout, double x_m, Random& random) {
     person.path = {{x_m, side * 0.95}, {x_m, -side * 0.95}};
     person.speed_m_s = random.between(0.6, 1.2);
     person.starts_at_m = random.between(2.2, 4.0);
-  } else {  // steps before the robot, waits, and goes back
+    person.present_after = false;  // leaves through a door
+  } else {                         // steps before the robot, waits, and goes back
     person.path = {{x_m, side * 0.95}, {x_m, side * 0.1}, {x_m + 1.0, side * 0.95}};
     person.speed_m_s = random.between(0.7, 1.1);
     person.starts_at_m = random.between(2.0, 3.0);
     person.pause_s = random.between(2.0, 5.0);
+    person.present_after = false;
   }
   layout.people.push_back(person);
 }

@@ -32,7 +32,7 @@ float fraction(float x) {
 cv::Mat3b plaster() {
   return painted(512, 512, [](float x, float y) {
     const float trowel = fractal_noise(x, y * 0.5F, {6, 3, 0.6F}, 11);
-    const float grain = fractal_noise(x, y, {96, 2, 0.7F}, 12);
+    const float grain = fractal_noise(x, y, {96, 3, 0.9F}, 12);
     const float fleck = fractal_noise(x, y, {40, 2, 0.5F}, 13) > 0.62F ? -7.0F : 0.0F;
     return brighter({204, 212, 216}, 3.5F * trowel + 4.0F * grain + fleck);
   });

@@ -87,7 +87,7 @@ void add_lamps(PatchList& patches, std::vector<Lamp>& lamps, const World& world,
                const FloorPlan& plan) {
   constexpr float kHalfLength_m = 0.6F;
   constexpr float kHalfWidth_m = 0.15F;
-  constexpr float kExitance = 32.0F;  // measured: about 1.0 on the floor with one panel each 4 m
+  constexpr float kExitance = 36.0F;  // measured: about 1.0 on the floor with one panel each 4 m
   const int housing = patches.materials().find("paint_white", "lamp");
   patches.set_spacing(0.4F);
   for (const LightRow& row : world.lights) {

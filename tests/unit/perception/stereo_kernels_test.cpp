@@ -162,7 +162,8 @@ TEST(SemiGlobal, SumsThePathCostsOfThePlainReferenceOnEveryInstructionSet) {
 TEST(FindWinners, NameWinnerRunnerUpAndTheRightPicturesWinnerOnEveryInstructionSet) {
   constexpr int kWidth = 45, kDisparities = 20;
   Volume<std::uint16_t> steep;
-  Volume<std::uint8_t> level;
+  Volume<std::uint8_t> level, costs;
+  costs.resize(1, kDisparities, kWidth);
   steep.resize(1, kDisparities, kWidth);
   level.resize(1, kDisparities, kWidth);
   auto sum = [&](int x, int d) {
@@ -173,33 +174,37 @@ TEST(FindWinners, NameWinnerRunnerUpAndTheRightPicturesWinnerOnEveryInstructionS
     for (int x = 0; x < kWidth; ++x) {
       steep.line(0)[d * steep.stride() + x] = static_cast<std::uint16_t>(hash_noise(x, d, 1) % 900);
       level.line(0)[d * level.stride() + x] = static_cast<std::uint8_t>(hash_noise(x, d, 2) % 200);
+      costs.line(0)[d * costs.stride() + x] = static_cast<std::uint8_t>(hash_noise(x, d, 3));
     }
   }
   const Plane<std::uint8_t> outside = outside_plane(kWidth, kDisparities + 4);
   reference::on_every_target([&](const std::string& name) {
     Plane<std::uint16_t> sums, rows;
     sums.resize(kWidth, kDisparities, kDisparities + 64, 0);
-    rows.resize(kWidth, 4, 0, 0);
+    rows.resize(kWidth, 5, 0, 0);
     for (int d = 0; d < kDisparities; ++d) {
       std::fill(sums.row(d), sums.row(d) - sums.margin() + sums.stride(), std::uint16_t{65535});
     }
-    stereo_kernels::find_winners(
-        {steep.line(0), steep.stride(), level.line(0), level.stride(), outside.row(0), kWidth,
-         kDisparities},
-        {sums.row(0), sums.stride(), rows.row(0), rows.row(1), rows.row(2), rows.row(3)});
+    stereo_kernels::find_winners({steep.line(0), steep.stride(), level.line(0), level.stride(),
+                                  costs.line(0), outside.row(0), kWidth, kDisparities},
+                                 {sums.row(0), sums.stride(), rows.row(0), rows.row(1), rows.row(2),
+                                  rows.row(3), rows.row(4)});
     for (int x = 0; x < kWidth; ++x) {
-      int best = 0, right_best = 0, second = 65535;
+      int best = 0, right_best = 0, second = 65535, raw_second = 255;
       for (int d = 1; d < kDisparities; ++d) {
         if (sum(x, d) < sum(x, best)) best = d;
         if (sum(x + d, d) < sum(x + right_best, right_best)) right_best = d;
       }
       for (int d = 0; d < kDisparities; ++d) {
-        if (std::abs(d - best) > 1) second = std::min(second, sum(x, d));
+        if (std::abs(d - best) <= 1) continue;
+        second = std::min(second, sum(x, d));
+        raw_second = std::min<int>(raw_second, static_cast<std::uint8_t>(hash_noise(x, d, 3)));
       }
       ASSERT_EQ(rows.row(0)[x], best) << name;
       ASSERT_EQ(rows.row(1)[x], sum(x, best)) << name;
       ASSERT_EQ(rows.row(2)[x], second) << name;
-      ASSERT_EQ(rows.row(3)[x], right_best) << name;
+      ASSERT_EQ(rows.row(3)[x], raw_second) << name;
+      ASSERT_EQ(rows.row(4)[x], right_best) << name;
     }
   });
 }

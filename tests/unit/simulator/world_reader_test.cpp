@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <fstream>
+
 #include "config/user_error.hpp"
 
 namespace striate::simulator {
@@ -131,7 +133,7 @@ TEST(WorldReader, SuggestsTheKindThatWasMeant) {
 
 TEST(WorldReader, SuggestsTheMaterialThatWasMeant) {
   expect_mistake("walls: [{side: left, from: 1 m, to: 2 m, material: brik}]\n",
-                 {4, 52, "unknown material 'brik'", "did you mean 'brick'?"});
+                 {4, 52, "nothing that ships is called 'brik'", "did you mean 'brick'?"});
 }
 
 TEST(WorldReader, WantsUnits) {
@@ -207,6 +209,16 @@ TEST(WorldReader, TellsDoorsAndWindowsThatOverlap) {
 TEST(WorldReader, TellsAnImageFileThatIsMissing) {
   expect_mistake("posters: [{side: left, at: 5 m, image: pictures/none.png}]\n",
                  {4, 40, "there is no file 'pictures/none.png'", "world file's folder"});
+}
+
+TEST(WorldReader, TellsAnImageFileThatIsNoPicture) {
+  const std::string folder = testing::TempDir();
+  std::ofstream(folder + "/no_picture.png") << "hello";
+  config::Mistakes mistakes(folder + "/test.yaml");
+  (void)parse_world(kHead + "wall_material: ./no_picture.png\n", mistakes);
+  ASSERT_EQ(mistakes.list().size(), 1u) << mistakes.text();
+  EXPECT_EQ(mistakes.list()[0].place.column, 16);
+  EXPECT_THAT(mistakes.list()[0].message, HasSubstr("is no picture that can be read"));
 }
 
 TEST(WorldReader, TellsWhatIsMissing) {

@@ -1,0 +1,135 @@
+#include <benchmark/benchmark.h>
+#include <fmt/format.h>
+#include <hwy/targets.h>
+
+#include <cstdlib>
+#include <map>
+#include <opencv2/calib3d.hpp>
+
+#include "perception/keypoints/keypoints.hpp"
+#include "perception/stereo/stereo_matcher.hpp"
+#include "tests/reference/stereo_reference.hpp"
+#include "tests/reference/test_pictures.hpp"
+
+/// stereo_benchmark: stereo at 160x120 on one core. Methods are run in turns; what counts are the
+/// medians of CPU time and their ratios within one run. STRIATE_TARGETS (a number, see
+/// hwy/targets.h) restricts the instruction sets of our own code.
+namespace striate {
+namespace {
+
+const char* const kYardstick = "paper, K = 150";
+
+cv::Mat1b left_picture() {
+  return reference::with_noise(reference::texture({160, 120}, 1), 2.0, 1);
+}
+cv::Mat1b right_picture() {
+  return reference::with_noise(reference::texture({160, 120}, 1, 9), 2.0, 2);
+}
+
+void exact_reference(benchmark::State& state) {
+  const cv::Mat1b left = left_picture(), right = right_picture();
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(reference::paper_stereo(left, right, 150));
+  }
+}
+
+void ours(benchmark::State& state, StereoSetting setting, int candidates) {
+  StereoSettings settings;
+  settings.setting = setting;
+  settings.candidates = candidates;
+  StereoMatcher matcher(settings);
+  const cv::Mat1b left = left_picture(), right = right_picture();
+  DisparityMap map;
+  for (auto _ : state) {
+    matcher.match(left, right, map);
+    benchmark::DoNotOptimize(map.disparity_px.data);
+  }
+}
+
+/// OpenCV leaves the first columns out, as many as it searches disparities: the pictures are
+/// continued to the left, so that all methods have the same pixels to do.
+void opencv(benchmark::State& state, const cv::Ptr<cv::StereoMatcher>& matcher) {
+  cv::Mat left, right, disparity;
+  const int searched = matcher->getNumDisparities();
+  cv::copyMakeBorder(left_picture(), left, 0, 0, searched, 0, cv::BORDER_REPLICATE);
+  cv::copyMakeBorder(right_picture(), right, 0, 0, searched, 0, cv::BORDER_REPLICATE);
+  for (auto _ : state) {
+    matcher->compute(left, right, disparity);
+    benchmark::DoNotOptimize(disparity.data);
+  }
+}
+
+void keypoints(benchmark::State& state) {
+  KeypointFinder finder{KeypointSettings{}};
+  const cv::Mat1b picture = reference::texture({640, 480}, 1);
+  for (auto _ : state) benchmark::DoNotOptimize(finder.find(picture));
+}
+
+/// Also gathers the medians.
+class Medians : public benchmark::ConsoleReporter {
+ public:
+  void ReportRuns(const std::vector<Run>& runs) override {
+    ConsoleReporter::ReportRuns(runs);
+    for (const Run& run : runs) {
+      if (run.aggregate_name != "median") continue;
+      names_.push_back(run.run_name.function_name);
+      cpu_ms_[names_.back()] = run.GetAdjustedCPUTime();
+    }
+  }
+  void print_ratios() const {
+    if (!cpu_ms_.contains(kYardstick)) return;
+    fmt::print("\n{:24} {:>10} {:>8}\n", "median CPU time", "ms", "ratio");
+    for (const std::string& name : names_) {
+      const double ms = cpu_ms_.at(name);
+      fmt::print("{:24} {:10.2f} {:8.2f}\n", name, ms, ms / cpu_ms_.at(kYardstick));
+    }
+  }
+
+ private:
+  std::vector<std::string> names_;
+  std::map<std::string, double> cpu_ms_;
+};
+
+void register_all() {
+  auto add = [](const char* name, const auto& function) {
+    benchmark::RegisterBenchmark(name, function)->Unit(benchmark::kMillisecond);
+  };
+  add("paper, double, direct", exact_reference);
+  add(kYardstick, [](auto& state) { ours(state, StereoSetting::paper, 150); });
+  add("paper, K = 64", [](auto& state) { ours(state, StereoSetting::paper, 64); });
+  add("robust, K = 64", [](auto& state) { ours(state, StereoSetting::robust, 64); });
+  add("StereoBM 9, K = 64", [](auto& state) { opencv(state, cv::StereoBM::create(64, 9)); });
+  for (const auto& [name, mode] : {std::pair{"SGBM, K = 64", cv::StereoSGBM::MODE_SGBM},
+                                   {"SGBM 3WAY, K = 64", cv::StereoSGBM::MODE_SGBM_3WAY},
+                                   {"SGBM HH, K = 64", cv::StereoSGBM::MODE_HH}}) {
+    add(name, [mode = mode](auto& state) {
+      opencv(state, cv::StereoSGBM::create(0, 64, 3, 72, 288, 1, 63, 10, 100, 2, mode));
+    });
+  }
+  add("keypoints 640x480", keypoints);
+}
+
+}  // namespace
+}  // namespace striate
+
+int main(int argc, char** argv) {
+  cv::setNumThreads(1);
+  std::vector<std::string> arguments(argv, argv + argc);
+  // In turns, so that a machine that slows down slows all methods; flags of one's own come later.
+  arguments.insert(arguments.begin() + 1,
+                   {"--benchmark_enable_random_interleaving=true", "--benchmark_repetitions=9",
+                    "--benchmark_min_time=0.05", "--benchmark_display_aggregates_only=true"});
+  std::vector<char*> pointers;
+  for (std::string& argument : arguments) pointers.push_back(argument.data());
+  int count = static_cast<int>(pointers.size());
+  benchmark::Initialize(&count, pointers.data());
+  if (benchmark::ReportUnrecognizedArguments(count, pointers.data())) return 2;
+  if (const char* targets = std::getenv("STRIATE_TARGETS")) {
+    hwy::SetSupportedTargetsForTest(std::atoll(targets));
+  }
+  striate::register_all();
+  striate::Medians medians;
+  benchmark::RunSpecifiedBenchmarks(&medians);
+  medians.print_ratios();
+  return 0;
+}
