@@ -57,15 +57,17 @@ DisparityMap camera_for(const DisparityMap& map, cv::Size from, cv::Size to) {
 }
 
 /// Edges count as far as they are long, many, meet in one place and point nowhere else as well;
-/// stereo's planes count by themselves. Weights fitted to simulated pictures of known heading
-/// (tests/evaluation/obstacle_table): above 0.5 the heading was within 2 degrees.
-double confidence_of(const Candidate& best, double runner_up_score) {
+/// stereo's planes count by themselves, less the more the camera looks away from the corridor's
+/// axis (`aslant`: 0 along it, 1 at the widest angle). Weights fitted to simulated pictures of
+/// known heading (tests/evaluation/obstacle_table): above 0.5 the heading was within 2 degrees.
+double confidence_of(const Candidate& best, double runner_up_score, double aslant) {
   const double lines_px = best.point.lines_left + best.point.lines_right;
   const double alone = std::clamp((best.score - runner_up_score) / kClearMargin, kLeastAlone, 1.0);
   const double edges = (1.0 - std::exp2(-lines_px / kHalfBelief_px)) *
                        (best.point.lines > 1 ? 1.0 : kOneLine) /
                        (1.0 + 0.5 * std::max(0.0, best.point.spread_px - kGoodSpread_px));
-  const double planes = std::clamp((best.planes - kChancePlane) / kSurePlane, 0.0, 1.0);
+  const double planes = std::clamp((best.planes - kChancePlane) / kSurePlane, 0.0, 1.0) *
+                        std::max(0.0, 1.0 - aslant * aslant);
   return 1.0 - (1.0 - kMostOfEdges * edges * alone) * (1.0 - kMostOfPlanes * planes);
 }
 
@@ -85,6 +87,7 @@ std::vector<Candidate> list_candidates(const cv::Mat1b& grey, const DisparityMap
     Candidate c;
     c.point = point;
     c.heading_rad = heading_of(point, camera, head);
+    if (std::abs(wrap_angle(c.heading_rad - head.pan_rad)) > settings.widest_rad) continue;
     c.walls = find_walls(depth.points, c.heading_rad);
     for (const UprightPlane& plane : depth.planes) {
       const VanishingPoint there{plane.vanishing_u_px, search.horizon_v_px};
@@ -125,7 +128,8 @@ CorridorView view_corridor(const cv::Mat1b& grey, const DisparityMap& map, const
   const std::vector<Candidate> candidates = list_candidates(grey, camera, head, depth, settings);
   if (candidates.empty()) return view;
   const Candidate& best = candidates.front();
-  view.confidence = confidence_of(best, candidates.size() > 1 ? candidates[1].score : 0.0);
+  const double aslant = wrap_angle(best.heading_rad - head.pan_rad) / settings.widest_rad;
+  view.confidence = confidence_of(best, candidates.size() > 1 ? candidates[1].score : 0.0, aslant);
   view.valid = view.confidence >= settings.least_confidence;
   if (!view.valid) return {};
   view.heading_rad = best.heading_rad;

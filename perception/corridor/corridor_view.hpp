@@ -10,7 +10,7 @@
 namespace striate {
 
 struct CorridorSettings {
-  double widest_rad = 0.87;       ///< largest angle between the optical axis and the corridor
+  double widest_rad = 0.70;       ///< largest angle between the optical axis and the corridor
   double least_confidence = 0.3;  ///< below, the view is not valid
 };
 

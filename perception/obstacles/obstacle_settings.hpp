@@ -17,7 +17,7 @@ struct ObstacleSettings {
   double smallest_px = 8.0;         ///< and in pixels, at any distance
   double floor_offset_px = 0.4;     ///< largest correction of the floor line; 0: none
   double floor_gap_m = 0.4;         ///< unknown floor up to this length is bridged
-  int bridged_columns = 12;         ///< unknown columns between parts of one plane that are bridged
+  int bridged_columns = 30;         ///< unknown columns between parts of one plane that are bridged
   double paper_threshold_px = 8.0;  ///< paper setting: disparities above are obstacles
   int paper_smallest_px = 40;       ///< paper setting: smaller blobs are noise
 };

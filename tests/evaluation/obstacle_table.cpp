@@ -1,6 +1,6 @@
 // How right the columns and the corridor's heading are on simulated pictures, against true depth.
 //
-//     obstacle_table [--pictures DIR] [--setting paper|robust] [WORLD.yaml ...]
+//     obstacle_table [--pictures DIR] [--setting paper|robust] [--seed N] [WORLD.yaml ...]
 //
 // Phantoms (something claimed that is not there) make the robot stop or swerve, missed near things
 // make it collide: both are counted per column, together with what is right and what is unknown.
@@ -49,10 +49,10 @@ double unit_noise(std::uint64_t counter) {
   return static_cast<double>(z >> 11) / 9007199254740992.0;
 }
 
-std::vector<Pose> poses_of(const simulator::World& world) {
+std::vector<Pose> poses_of(const simulator::World& world, std::uint64_t seed) {
   std::vector<Pose> poses;
-  std::uint64_t n = 0;
-  for (double x = 1.0; x < world.length_m - 3.0; x += 0.7) {
+  std::uint64_t n = 1000 * seed;
+  for (double x = 1.0 + 0.1 * static_cast<double>(seed % 7); x < world.length_m - 3.0; x += 0.7) {
     Pose pose;
     pose.along_m = x;
     pose.left_m = (unit_noise(n++) - 0.5) * 0.5 * world.width_m;
@@ -231,16 +231,17 @@ struct Run {
   PerceptionSettings settings;
   std::string pictures;
   RobotDescription robot;
+  std::uint64_t seed = 0;
 };
 
 Counts evaluate(const std::string& file, const Run& run) {
   const simulator::World world = simulator::load_world(file);
   const simulator::FloorPlan plan = simulator::build_floor_plan(world);
-  simulator::Renderer renderer(world, plan, {}, 1);
+  simulator::Renderer renderer(world, plan, {}, run.seed + 1);
   Perception perception(run.settings, run.robot);
   Counts counts;
   std::uint64_t frame_number = 0;
-  for (const Pose& pose : poses_of(world)) {
+  for (const Pose& pose : poses_of(world, run.seed)) {
     simulator::SceneState state = scene_at(plan, pose, frame_number);
     StereoFrame frame;
     for (int i = 0; i < kWarmUp; ++i) {
@@ -285,6 +286,8 @@ int main(int argc, char** argv) {
     } else if (argument == "--setting" && i + 1 < argc) {
       run.settings.stereo.setting =
           std::string(argv[++i]) == "paper" ? StereoSetting::paper : StereoSetting::robust;
+    } else if (argument == "--seed" && i + 1 < argc) {
+      run.seed = std::stoull(argv[++i]);
     } else {
       worlds.push_back(argument);
     }

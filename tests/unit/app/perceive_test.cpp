@@ -1,0 +1,195 @@
+#include "app/perceive.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+#include <sstream>
+
+#include "config/user_error.hpp"
+
+namespace striate {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Perceive : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ =
+        fs::temp_directory_path() / (std::string("striate_perceive_") +
+                                     testing::UnitTest::GetInstance()->current_test_info()->name());
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  /// A textured board before a textured background, `near_px` and `far_px` apart in the two eyes.
+  void write_pair(int near_px, int far_px, int type = CV_8UC3) {
+    cv::Mat1b left(240, 320);
+    cv::Mat1b right(240, 320);
+    for (int v = 0; v < 240; ++v) {
+      for (int u = 0; u < 320; ++u) {
+        left(v, u) = at(v, u, far_px, near_px, 0);
+        right(v, u) = at(v, u, far_px, near_px, 1);
+      }
+    }
+    options_.left = write(left, "left.png", type);
+    options_.right = write(right, "right.png", type);
+    options_.out = folder_ / "out" / "deep";
+  }
+
+  [[nodiscard]] fs::path write(const cv::Mat1b& grey, const std::string& name, int type) const {
+    cv::Mat out = grey;
+    if (CV_MAT_CN(type) == 3) cv::cvtColor(grey, out, cv::COLOR_GRAY2BGR);
+    if (CV_MAT_CN(type) == 4) cv::cvtColor(grey, out, cv::COLOR_GRAY2BGRA);
+    if (CV_MAT_DEPTH(type) == CV_16U) out.convertTo(out, CV_16U, 257.0);
+    cv::imwrite((folder_ / name).string(), out);
+    return folder_ / name;
+  }
+
+  static uchar at(int v, int u, int far_px, int near_px, int eye) {
+    const int board = u + eye * near_px;  // column on the board's own texture
+    const bool on_board = board >= 120 && board < 220 && v >= 60 && v < 200;
+    const int own = on_board ? board + 5000 : u + eye * far_px;
+    std::uint32_t x = static_cast<std::uint32_t>(own / 4) * 2654435761U +
+                      static_cast<std::uint32_t>(v / 4) * 40503U;
+    x = (x ^ (x >> 15)) * 0x2C1B3C6DU;
+    return static_cast<uchar>(40 + (x >> 16) % 180);
+  }
+
+  [[nodiscard]] nlohmann::json read_json(const std::string& name) const {
+    std::ifstream in(options_.out / name);
+    return nlohmann::json::parse(in);
+  }
+
+  [[nodiscard]] cv::Mat1f read_pfm(const std::string& name) const {
+    std::ifstream in(options_.out / name, std::ios::binary);
+    std::string kind;
+    int width = 0;
+    int height = 0;
+    double scale = 0.0;
+    in >> kind >> width >> height >> scale;
+    in.get();
+    EXPECT_EQ(kind, "Pf");
+    EXPECT_EQ(scale, -1.0);
+    cv::Mat1f values(height, width);
+    for (int v = height - 1; v >= 0; --v) {
+      in.read(reinterpret_cast<char*>(values[v]), static_cast<std::streamsize>(4) * width);
+    }
+    EXPECT_TRUE(in.good());
+    return values;
+  }
+
+  [[nodiscard]] std::string error() const {
+    try {
+      perceive(options_);
+    } catch (const UserError& e) {
+      return e.what();
+    }
+    return "";
+  }
+
+  fs::path folder_;
+  PerceiveOptions options_;
+};
+
+TEST_F(Perceive, WritesDepthUprightInTheLeftPicturesFrame) {
+  write_pair(24, 8);
+  EXPECT_EQ(perceive(options_), 0);
+  const cv::Mat1f disparity = read_pfm("disparity.pfm");
+  ASSERT_EQ(disparity.size(), cv::Size(160, 120));
+  EXPECT_NEAR(disparity(65, 85), 12.0, 0.5);  // on the board, in px of the working size
+  EXPECT_NEAR(disparity(12, 120), 4.0, 0.5);  // above the board: rows are not upside down
+  EXPECT_EQ(read_pfm("confidence.pfm").size(), cv::Size(160, 120));
+  for (const char* name : {"saliency.png", "overview.png"}) {
+    EXPECT_FALSE(cv::imread((options_.out / name).string()).empty()) << name;
+  }
+}
+
+TEST_F(Perceive, AnUnknownCameraGivesNearBlobsInBaselines) {
+  write_pair(24, 8);
+  perceive(options_);
+  const nlohmann::json json = read_json("obstacles.json");
+  EXPECT_EQ(json["unit"], "baselines");
+  ASSERT_EQ(json["obstacles"].size(), 1U);
+  EXPECT_NEAR(json["obstacles"][0]["from_u_px"].get<int>(), 60, 4);
+  EXPECT_NEAR(json["obstacles"][0]["to_u_px"].get<int>(), 109, 4);
+  EXPECT_GT(json["threshold_px"].get<double>(), 4.5);
+  EXPECT_LT(json["threshold_px"].get<double>(), 12.0);
+}
+
+TEST_F(Perceive, AKnownCameraGivesMetres) {
+  write_pair(24, 8);
+  options_.focal_px = 400.0;
+  options_.baseline_m = 0.12;
+  for (const char* setting : {"paper", "robust"}) {
+    options_.setting = setting;
+    perceive(options_);
+    const nlohmann::json json = read_json("obstacles.json");
+    EXPECT_EQ(json["unit"], "m");
+    ASSERT_FALSE(json["obstacles"].empty());
+    EXPECT_NEAR(json["obstacles"][0]["distance"].get<double>(), 2.0, 0.15) << setting;
+  }
+  options_.camera_height_m = 1.0;
+  perceive(options_);
+  EXPECT_TRUE(read_json("obstacles.json")["floor_known"]);
+}
+
+TEST_F(Perceive, TakesGreySixteenBitAndAlpha) {
+  for (const int type : {CV_8UC1, CV_16UC1, CV_16UC3, CV_8UC4}) {
+    write_pair(24, 8, type);
+    EXPECT_EQ(perceive(options_), 0);
+    EXPECT_NEAR(read_pfm("disparity.pfm")(65, 85), 12.0, 0.5);
+  }
+}
+
+TEST_F(Perceive, OneEyeGivesSaliencyAndNoDepth) {
+  write_pair(24, 8);
+  options_.right.clear();
+  EXPECT_EQ(perceive(options_), 0);
+  EXPECT_FALSE(fs::exists(options_.out / "disparity.pfm"));
+  EXPECT_TRUE(read_json("obstacles.json")["obstacles"].empty());
+  EXPECT_FALSE(cv::imread((options_.out / "overview.png").string()).empty());
+  EXPECT_TRUE(read_json("keypoints.json")["keypoints"].is_array());
+}
+
+TEST_F(Perceive, SaysWhichPictureIsWrongAndHow) {
+  write_pair(24, 8);
+  const fs::path good = options_.left;
+  options_.left = folder_ / "nowhere.png";
+  EXPECT_THAT(error(), testing::HasSubstr("nowhere.png: no such file"));
+  options_.left = folder_ / "text.png";
+  std::ofstream(options_.left) << "this is no picture";
+  EXPECT_THAT(error(), testing::HasSubstr("text.png: is no picture"));
+  options_.left = folder_;
+  EXPECT_THAT(error(), testing::HasSubstr("is a folder"));
+  options_.left = good;
+  options_.right = write(cv::Mat1b(100, 100, uchar{7}), "small.png", CV_8UC1);
+  EXPECT_THAT(error(), testing::HasSubstr("is 100 x 100"));
+}
+
+TEST_F(Perceive, RefusesImpossibleOptions) {
+  write_pair(24, 8);
+  const PerceiveOptions good = options_;
+  options_.focal_px = 400.0;
+  EXPECT_THAT(error(), testing::HasSubstr("--baseline-m"));
+  options_ = good;
+  options_.width_px = 5000;
+  EXPECT_THAT(error(), testing::HasSubstr("--width"));
+  options_ = good;
+  options_.setting = "magic";
+  EXPECT_THAT(error(), testing::HasSubstr("paper or robust"));
+  options_ = good;
+  std::ofstream(folder_ / "file") << "x";
+  options_.out = folder_ / "file";
+  EXPECT_THAT(error(), testing::HasSubstr("--out"));
+}
+
+}  // namespace
+}  // namespace striate
