@@ -35,8 +35,8 @@ Mission::Mission(const MissionOptions& options)
       plan_(simulator::build_floor_plan(world_)),
       executive_(load_task(options.task, RobotDescription{})),
       pictures_(std::make_unique<RendererPictures>(world_, plan_, settings_.camera, options.seed)),
-      body_(std::make_unique<simulator::SimulatedPioneer>(world_, plan_, settings_.simulator,
-                                                          *pictures_, options.seed)),
+      body_(std::make_unique<simulator::SimulatedPioneer>(world_, options.seed, settings_.simulator,
+                                                          pictures_.get())),
       watched_(std::make_unique<StopwatchRobot>(*body_)),
       cycle_(std::make_unique<CognitiveCycle>(*watched_, settings_, executive_)) {}
 

@@ -40,6 +40,7 @@ class Mission {
   [[nodiscard]] const simulator::SimulatedPioneer& body() const { return *body_; }
   [[nodiscard]] const simulator::World& world() const { return world_; }
   [[nodiscard]] const simulator::FloorPlan& plan() const { return plan_; }
+  [[nodiscard]] const simulator::PictureSource& light() const { return *pictures_; }
   /// Where the robot believes it has been (odometry frame), oldest first.
   [[nodiscard]] const std::deque<Point2>& trail() const { return trail_; }
   [[nodiscard]] std::uint64_t cycles() const { return cycles_; }

@@ -7,23 +7,29 @@
 namespace striate {
 namespace {
 
-constexpr int kSide = LocalGrid::kSide;
-constexpr float kStrongAlone = 2.2F;  // log-odds
-constexpr double kBlockAtOnce_m = 1.0;
+constexpr int kSide = 2 * FloorField::kReach;
+constexpr int kSkip = LocalGrid::kSide / 2 - FloorField::kReach;
+constexpr float kStrongAlone = 3.0F;  // log-odds
 
 }  // namespace
 
 FloorField::FloorField()
     : states_(kSide, kSide, static_cast<std::uint8_t>(FloorState::unknown)),
       open_(kSide, kSide, std::uint8_t{255}),
-      distance_cells_(kSide, kSide, 1e3F) {}
+      seen_(kSide, kSide, std::uint8_t{0}),
+      distance_cells_(kSide, kSide, 1e3F),
+      seen_cells_(kSide, kSide, 0.0F),
+      round_(3, 3, std::uint8_t{1}) {}
 
-void FloorField::update(const LocalGrid& grid, Point2 robot) {
-  first_ = grid.first();
+void FloorField::update(const LocalGrid& grid) {
+  first_ = {grid.first().x + kSkip, grid.first().y + kSkip};
   for (int row = 0; row < kSide; ++row) {
     std::uint8_t* states = states_[row];
+    std::uint8_t* seen = seen_[row];
     for (int column = 0; column < kSide; ++column) {
-      states[column] = static_cast<std::uint8_t>(grid.state({first_.x + column, first_.y + row}));
+      const FloorState state = grid.state({first_.x + column, first_.y + row});
+      states[column] = static_cast<std::uint8_t>(state);
+      seen[column] = state == FloorState::free ? 255 : 0;
     }
   }
   constexpr auto kOccupied = static_cast<std::uint8_t>(FloorState::occupied);
@@ -36,14 +42,15 @@ void FloorField::update(const LocalGrid& grid, Point2 robot) {
         for (int u = column - 1; u <= column + 1; ++u) neighbours += states_(v, u) == kOccupied;
       }
       const GridCell cell{first_.x + column, first_.y + row};
-      const Point2 at = LocalGrid::centre_of(cell);
-      if (neighbours > 0 || grid.log_odds(cell) > kStrongAlone ||
-          std::hypot(at.x_m - robot.x_m, at.y_m - robot.y_m) < kBlockAtOnce_m) {
+      if (neighbours > 1 || grid.log_odds(cell) > kStrongAlone) {
         open_(row, column) = 0;
       }
     }
   }
-  cv::distanceTransform(open_, distance_cells_, cv::DIST_L2, cv::DIST_MASK_5);
+  cv::distanceTransform(open_, distance_cells_, cv::DIST_L2, cv::DIST_MASK_3);
+  // A hole of one patch in seen floor is a column without a match, not a thing.
+  cv::morphologyEx(seen_, seen_, cv::MORPH_CLOSE, round_);
+  cv::distanceTransform(seen_, seen_cells_, cv::DIST_L2, cv::DIST_MASK_3);
 }
 
 bool FloorField::inside(Point2 odometry, int& column, int& row) const {
@@ -53,12 +60,20 @@ bool FloorField::inside(Point2 odometry, int& column, int& row) const {
   return column >= 0 && row >= 0 && column < kSide && row < kSide;
 }
 
-double FloorField::clearance_m(Point2 odometry) const {
+double FloorField::metres(const cv::Mat1f& cells, Point2 odometry) const {
   int column = 0;
   int row = 0;
   if (!inside(odometry, column, row)) return kFar_m;
-  const double cells = distance_cells_(row, column) - 0.5;  // to the edge, not the middle
-  return std::clamp(cells * LocalGrid::kCell_m, 0.0, kFar_m);
+  // To the edge of the nearest patch, not to its middle.
+  return std::clamp((cells(row, column) - 0.5) * LocalGrid::kCell_m, 0.0, kFar_m);
+}
+
+double FloorField::clearance_m(Point2 odometry) const {
+  return metres(distance_cells_, odometry);
+}
+
+double FloorField::seen_clearance_m(Point2 odometry) const {
+  return metres(seen_cells_, odometry);
 }
 
 FloorState FloorField::state(Point2 odometry) const {

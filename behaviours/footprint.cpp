@@ -25,6 +25,14 @@ double Footprint::clearance_m(const FloorField& field, const Pose2& pose) const 
   return least;
 }
 
+double Footprint::seen_clearance_m(const FloorField& field, const Pose2& pose) const {
+  double least = FloorField::kFar_m;
+  for (const Point2& corner : outline_) {
+    least = std::min(least, field.seen_clearance_m(to_outer(pose, corner)));
+  }
+  return least;
+}
+
 double Footprint::distance_m(Point2 p) const {
   const double dx = std::max(p.x_m - front_m_, -rear_m_ - p.x_m);
   const double dy = std::abs(p.y_m) - half_width_m_;

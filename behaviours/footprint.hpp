@@ -15,6 +15,9 @@ class Footprint {
   /// Least clearance of the outline at `pose` (odometry frame): 0 touches.
   [[nodiscard]] double clearance_m(const FloorField& field, const Pose2& pose) const;
 
+  /// The same from the edge of what is seen free.
+  [[nodiscard]] double seen_clearance_m(const FloorField& field, const Pose2& pose) const;
+
   /// Signed distance of a point in the robot frame from the outline; inside is negative.
   [[nodiscard]] double distance_m(Point2 robot_frame) const;
 

@@ -13,7 +13,8 @@ constexpr double kStep_m = 0.1;
 constexpr double kLook_m = 3.0;
 constexpr double kNear_m = 2.0;
 constexpr double kUnknownRun_m = 0.35;  // so much unknown in a row ends what is known free
-constexpr float kMoves = 0.35F;
+constexpr float kMoves = 0.36F;
+constexpr double kEdgeTrust_m = 0.10;
 
 bool seen_free(const FloorField& field, Point2 middle, double ux, double uy) {
   int free = 0;
@@ -57,22 +58,31 @@ double stopping_speed(double distance_m, double deceleration, double latency_s) 
   return std::sqrt(lag * lag + 2.0 * deceleration * distance_m) - lag;
 }
 
-double margin_of_next(const FloorField& field, const Way& way, double half_width_m) {
-  double least_m = FloorField::kFar_m;
+struct Margins {
+  double things_m = FloorField::kFar_m;
+  double edges_m = FloorField::kFar_m;
+};
+
+Margins margins_of_next(const FloorField& field, const Way& way, double half_width_m) {
+  Margins least;
   for (double s = 0.0; s <= 0.9; s += kStep_m) {
-    least_m = std::min(least_m, field.clearance_m(Steering::point_at(way, s)) - half_width_m);
+    const Point2 place = Steering::point_at(way, s);
+    // The edge of what is known may be a wall, but is less likely one.
+    const double edge_m = field.seen_clearance_m(place) + kEdgeTrust_m;
+    least.things_m = std::min(least.things_m, field.clearance_m(place) - half_width_m);
+    least.edges_m = std::min(least.edges_m, edge_m - half_width_m);
   }
-  return least_m;
+  return least;
 }
 
 }  // namespace
 
-double nearest_mover_m(const ShortTermMemory& memory, double half_lane_m) {
+Mover nearest_mover(const ShortTermMemory& memory, double half_lane_m) {
   constexpr double kReach_m = 2.6;
   const LocalGrid& grid = memory.map();
   const int reach = static_cast<int>(kReach_m / LocalGrid::kCell_m);
   const GridCell middle = LocalGrid::cell_of({memory.pose().x_m, memory.pose().y_m});
-  double nearest_m = std::numeric_limits<double>::infinity();
+  Mover nearest;
   int cells = 0;
   for (int y = middle.y - reach; y <= middle.y + reach; ++y) {
     for (int x = middle.x - reach; x <= middle.x + reach; ++x) {
@@ -80,11 +90,14 @@ double nearest_mover_m(const ShortTermMemory& memory, double half_lane_m) {
       const Point2 place = to_inner(memory.pose(), LocalGrid::centre_of({x, y}));
       if (place.x_m < 0.1 || std::abs(place.y_m) > half_lane_m) continue;
       ++cells;
-      nearest_m = std::min(nearest_m, std::hypot(place.x_m, place.y_m));
+      const double distance_m = std::hypot(place.x_m, place.y_m);
+      if (distance_m < nearest.distance_m) {
+        nearest = {distance_m, std::atan2(place.y_m, place.x_m)};
+      }
     }
   }
   // A person is many patches wide; a flicker of the map is one or two.
-  return cells >= 3 ? nearest_m : std::numeric_limits<double>::infinity();
+  return cells >= 3 ? nearest : Mover{};
 }
 
 Pace pace_for(const PaceSettings& settings, const RobotDescription& robot,
@@ -96,14 +109,19 @@ Pace pace_for(const PaceSettings& settings, const RobotDescription& robot,
                                       0.8 * robot.max_acceleration_m_s2, settings.latency_s);
   cap(pace, std::max(known, settings.unknown_m_s), "the floor ahead is not seen free");
 
-  const double margin_m = margin_of_next(field, way, robot.half_width_m);
-  const double roomy = std::clamp((margin_m - 0.08) / (settings.roomy_m - 0.08), 0.0, 1.0);
-  cap(pace, settings.narrow_m_s + roomy * (robot.max_forward_m_s - settings.narrow_m_s),
-      "it is narrow");
+  const Margins margins = margins_of_next(field, way, robot.half_width_m);
+  const auto roomy = [&settings, &robot](double margin_m, double least_m_s) {
+    const double share = std::clamp((margin_m - 0.08) / (settings.roomy_m - 0.08), 0.0, 1.0);
+    return least_m_s + share * (robot.max_forward_m_s - least_m_s);
+  };
+  cap(pace, roomy(margins.things_m, settings.narrow_m_s), "it is narrow");
+  cap(pace, roomy(margins.edges_m, settings.unknown_m_s), "little is known beside the way");
 
-  const double mover_m = nearest_mover_m(memory, 0.7);
-  const double apart =
-      (mover_m - settings.moving_stop_m) / (settings.moving_slow_m - settings.moving_stop_m);
+  const Mover mover = nearest_mover(memory, 0.7);
+  pace.mover_m = mover.distance_m;
+  pace.mover_rad = mover.bearing_rad;
+  const double apart = (mover.distance_m - settings.moving_stop_m) /
+                       (settings.moving_slow_m - settings.moving_stop_m);
   if (apart < 1.0) {
     cap(pace, std::max(0.0, apart) * robot.max_forward_m_s * 0.6, "something moves ahead");
     pace.waits_for_mover = apart <= 0.0;

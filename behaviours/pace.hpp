@@ -45,10 +45,16 @@ struct Pace {
   double known_free_m = 0.0;        ///< of the way ahead, from the axle
   double unknown_near_share = 0.0;  ///< of the next two metres of the way
   bool waits_for_mover = false;
+  double mover_m = kNothing_m;  ///< the nearest thing that moves in front
+  double mover_rad = 0.0;       ///< its bearing
 };
 
-/// Distance of the nearest thing that moves in front, within the robot's lane; infinity if none.
-[[nodiscard]] double nearest_mover_m(const ShortTermMemory& memory, double half_lane_m);
+/// The nearest thing that moves in front, within the robot's lane; distance kNothing_m if none.
+struct Mover {
+  double distance_m = kNothing_m;
+  double bearing_rad = 0.0;
+};
+[[nodiscard]] Mover nearest_mover(const ShortTermMemory& memory, double half_lane_m);
 
 [[nodiscard]] Pace pace_for(const PaceSettings& settings, const RobotDescription& robot,
                             const ShortTermMemory& memory, const FloorField& field, const Way& way);

@@ -11,7 +11,11 @@ constexpr float kClosed = -1.0F;
 constexpr float kInfinite = std::numeric_limits<float>::infinity();
 constexpr double kComfort_m = 0.35;     // margin beside the flanks that costs nothing
 constexpr double kCrowdingPrice = 5.0;  // at no margin at all
-constexpr double kUnknownPrice = 0.8;
+constexpr double kUnknownPrice = 1.4;
+constexpr double kOutsidePrice = 6.0;
+constexpr double kOutsideTolerance_m = 0.15;
+constexpr double kEdgePrice = 1.6;
+constexpr double kEdgeComfort_m = 0.25;
 constexpr double kOffLinePrice = 0.30;  // per square metre off the wanted line
 constexpr double kOffLineMost = 1.2;
 constexpr double kHabit = 0.80;     // on the way chosen before
@@ -76,7 +80,17 @@ float PathPlanner::price_of(const FloorField& field, const PlanRequest& request,
   }
   const double crowding = std::clamp(1.0 - margin_m / kComfort_m, 0.0, 1.0);
   price += kCrowdingPrice * crowding * crowding;
-  if (state != FloorState::free) price += kUnknownPrice;
+  if (state != FloorState::free) {
+    price += kUnknownPrice;
+    // Where the corridor should have ended unknown floor is hardly a way.
+    const double out_m = std::abs(inner.y_m - request.middle_left_m) + request.half_width_m -
+                         request.half_corridor_m;
+    if (out_m > kOutsideTolerance_m) price += kOutsidePrice;
+  }
+  // A wall too plain to see shows as the edge of what is known.
+  const double edge_m = field.seen_clearance_m(place) - request.half_width_m;
+  const double edging = std::clamp(1.0 - edge_m / kEdgeComfort_m, 0.0, 1.0);
+  price += kEdgePrice * edging * edging;
   const double off_m = inner.y_m - request.wanted_left_m;
   price += std::min(kOffLineMost, kOffLinePrice * off_m * off_m);
   if (chosen_[static_cast<std::size_t>(node)] != 0) price *= kHabit;

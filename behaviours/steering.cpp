@@ -13,6 +13,7 @@ constexpr double kTurnInPlace_rad = 0.9;
 constexpr double kMostTurn_rad_s = 0.9;
 constexpr double kRollOut_s = 1.4;
 constexpr double kRollStep_s = 0.1;
+constexpr double kEdgeLook_s = 1.0;
 constexpr std::array<double, 11> kTurnOffsets{0.0,  0.08, -0.08, 0.18, -0.18, 0.3,
                                               -0.3, 0.5,  -0.5,  0.8,  -0.8};
 constexpr std::array<double, 3> kSpeedShares{1.0, 0.6, 0.3};
@@ -86,7 +87,11 @@ Drive Steering::follow(const Way& way, const FloorField& field, const Pose2& rob
       const double clear_m = roll_out(field, robot, candidate, least_clearance_m);
       if (clear_m < 0.0) continue;
       const double crowding = std::max(0.0, 1.0 - clear_m / wanted_clearance_m_);
-      const double score = std::abs(offset) + 0.8 * crowding * crowding + 0.5 * (1.0 - share);
+      const Pose2 end = along_arc(robot, forward, candidate.turn_rad_s, kEdgeLook_s);
+      const double edge_m = footprint_.seen_clearance_m(field, end);
+      const double edging = std::max(0.0, 1.0 - edge_m / wanted_clearance_m_);
+      const double score =
+          std::abs(offset) + 0.8 * crowding * crowding + 0.6 * edging + 0.5 * (1.0 - share);
       if (score < least) {
         least = score;
         best = {true, candidate.forward_m_s, candidate.turn_rad_s, clear_m};

@@ -9,6 +9,8 @@ Course corridor_course(const CorridorMemory& corridor, bool back, double cruise_
   Course course;
   course.direction_rad = wrap_angle(corridor.axis_rad() + (back ? std::numbers::pi : 0.0));
   course.wanted_left_m = back ? corridor.offset_m() : -corridor.offset_m();
+  course.middle_left_m = course.wanted_left_m;
+  course.half_corridor_m = 0.5 * corridor.width_m();
   course.cruise_m_s = cruise_m_s;
   course.left_wall_m = back ? corridor.right_m() : corridor.left_m();
   course.right_wall_m = back ? corridor.left_m() : corridor.right_m();

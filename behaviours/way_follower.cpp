@@ -9,15 +9,18 @@
 namespace striate {
 namespace {
 
-constexpr double kLookDown_rad = -0.50;
+constexpr double kLookDown_rad = -0.58;
 constexpr double kGlanceDown_rad = -0.42;
 constexpr double kLookSweep_s = 4.0;
 constexpr double kSweep_rad = 0.9;
 constexpr double kHeadTurn_rad = 0.6;
+constexpr double kHeadDriving_rad = 0.25;  // where the robot goes stays in the 43 degree view
 constexpr double kMoverPatience_s = 6.0;
 constexpr double kImpossible_s = 0.6;
 constexpr double kForgivenAfter_m = 1.0;  // headway that makes old troubles forgotten
 constexpr double kUnstuck_m = 0.25;
+constexpr int kTightAfter = 2;  // troubles
+constexpr double kTightShare = 0.4;
 
 template <class... Args>
 ShortText text(std::string_view format, const Args&... args) {
@@ -67,20 +70,27 @@ void WayFollower::measure_headway(const ShortTermMemory& memory, const Course& c
   if (headway_m_ > trouble_headway_m_ + kForgivenAfter_m) troubles_ = 0;
 }
 
+// The first tries keep the full margin; after that a tighter fit is better than giving up.
+double WayFollower::least_margin_m() const {
+  return settings_.least_margin_m * (troubles_ < kTightAfter ? 1.0 : kTightShare);
+}
+
 bool WayFollower::way_is_open() const {
   return planner_.way().found;
 }
 
 Wish WayFollower::tick(const ShortTermMemory& memory, const Course& course) {
   measure_headway(memory, course);
-  field_.update(memory.map(), {memory.pose().x_m, memory.pose().y_m});
+  field_.update(memory.map());
   PlanRequest request;
   request.direction_rad = course.direction_rad;
   request.wanted_left_m = course.wanted_left_m;
   request.half_width_m = robot_.half_width_m;
-  request.least_margin_m = settings_.least_margin_m;
+  request.least_margin_m = least_margin_m();
   request.left_wall_m = course.left_wall_m;
   request.right_wall_m = course.right_wall_m;
+  request.middle_left_m = course.middle_left_m;
+  request.half_corridor_m = course.half_corridor_m;
   planner_.plan(field_, memory.pose(), request);
   if (troubles_ >= settings_.tries) {
     return final_wish(memory, Progress::failed,
@@ -119,14 +129,16 @@ Wish WayFollower::drive(const ShortTermMemory& memory, const Course& course) {
   if (pace.waits_for_mover && to_seconds(memory.now() - mover_since_) > kMoverPatience_s) {
     speed = settings_.pace.narrow_m_s;  // it moves without coming or going: creep past
   }
+  wish.forward_m_s = speed;
   aim_head(memory, pace, wish);
+  wish.forward_m_s = 0.0;
   if (speed < 0.03) {
     impossible_since_ = memory.now();
     wish.why = text("waits: {}", pace.reason);
     return wish;
   }
-  const Drive drive = steering_.follow(planner_.way(), field_, memory.pose(), speed,
-                                       0.6 * settings_.least_margin_m);
+  const Drive drive =
+      steering_.follow(planner_.way(), field_, memory.pose(), speed, 0.6 * least_margin_m());
   if (!drive.possible) {
     wish.why = "no arc keeps clear";
     if (to_seconds(memory.now() - impossible_since_) > kImpossible_s) {
@@ -137,6 +149,7 @@ Wish WayFollower::drive(const ShortTermMemory& memory, const Course& course) {
   impossible_since_ = memory.now();
   wish.forward_m_s = drive.forward_m_s;
   wish.turn_rad_s = drive.turn_rad_s;
+  aim_head(memory, pace, wish);
   if (speed < course.cruise_m_s - 0.05) {
     wish.why = text("slow: {}", dim && pace.speed_m_s > speed ? "it is dark" : pace.reason);
   }
@@ -145,8 +158,9 @@ Wish WayFollower::drive(const ShortTermMemory& memory, const Course& course) {
 
 void WayFollower::aim_head(const ShortTermMemory& memory, const Pace& pace, Wish& wish) {
   const Point2 ahead = to_inner(memory.pose(), Steering::point_at(planner_.way(), 1.8));
-  wish.pan_rad =
-      std::clamp(std::atan2(ahead.y_m, std::max(0.3, ahead.x_m)), -kHeadTurn_rad, kHeadTurn_rad);
+  const double most_rad = wish.forward_m_s > 0.1 ? kHeadDriving_rad : kHeadTurn_rad;
+  wish.pan_rad = std::clamp(std::atan2(ahead.y_m, std::max(0.3, ahead.x_m)), -most_rad, most_rad);
+  if (std::isfinite(pace.mover_m)) wish.pan_rad = std::clamp(pace.mover_rad, -most_rad, most_rad);
   if (pace.unknown_near_share > 0.3) look_down_until_ = memory.now() + from_seconds(0.6);
   wish.tilt_rad = memory.now() < look_down_until_ ? kGlanceDown_rad : kRestingTilt_rad;
 }
@@ -157,7 +171,7 @@ Wish WayFollower::wait(const ShortTermMemory& memory) {
   if (way_is_open() && since_s > 0.5) {
     impossible_since_ = memory.now() + from_seconds(0.5);
     const Drive drive = steering_.follow(planner_.way(), field_, memory.pose(),
-                                         settings_.pace.narrow_m_s, 0.6 * settings_.least_margin_m);
+                                         settings_.pace.narrow_m_s, 0.6 * least_margin_m());
     if (drive.possible) enter(State::driving, memory);
   }
   if (since_s > settings_.patience_s) {

@@ -44,6 +44,8 @@ struct Course {
   double cruise_m_s = 0.45;
   double left_wall_m = kNothing_m;
   double right_wall_m = kNothing_m;
+  double middle_left_m = 0.0;           ///< the corridor's middle, to the left of the robot
+  double half_corridor_m = kNothing_m;  ///< half its width
 };
 
 /// Plans on the map, follows the way, and gets out of trouble: waits for what may pass, looks
@@ -68,6 +70,7 @@ class WayFollower {
   Wish back(const ShortTermMemory& memory);
   void enter(State state, const ShortTermMemory& memory);
   [[nodiscard]] bool way_is_open() const;
+  [[nodiscard]] double least_margin_m() const;
   [[nodiscard]] double since_entered_s(const ShortTermMemory& memory) const;
   void aim_head(const ShortTermMemory& memory, const Pace& pace, Wish& wish);
 

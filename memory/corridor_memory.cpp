@@ -10,8 +10,8 @@ namespace {
 constexpr double kStartHeadingStd_rad = 0.10;
 constexpr double kStartOffsetStd_m = 0.30;
 constexpr double kTurnDrift = 0.015;        // of the turning, twice what is published
-constexpr double kHeadingWalk_rad = 0.004;  // per square root of a metre
-constexpr double kOffsetWalk_m = 0.02;      // per square root of a metre
+constexpr double kHeadingWalk_rad = 0.008;  // per square root of a metre
+constexpr double kOffsetWalk_m = 0.05;      // per square root of a metre
 constexpr double kHeadingGate_rad = 0.12;
 constexpr double kOffsetGate_m = 0.35;
 constexpr double kWidthGain = 0.06;
@@ -83,8 +83,13 @@ void CorridorMemory::see(const CorridorView& view, const Pose2& at, const Pose2&
   see_walls(view.left_m - moved_m, view.right_m + moved_m, 0.15 / confidence);
 }
 
-void CorridorMemory::see(const WallFit& fit) {
+void CorridorMemory::see(const WallFit& fit, Source source) {
   if (!started_ || !fit.valid) return;
+  if (source == Source::edges) {  // the width was assumed, so the walls say nothing new about it
+    see_heading(fit.heading_rad, 0.10);
+    offset_.take(0.5 * (fit.right_m - fit.left_m) - offset_.value, 0.16, kOffsetGate_m, 60);
+    return;
+  }
   see_heading(fit.heading_rad, fit.left && fit.right ? 0.05 : 0.08);
   see_walls(fit.left ? fit.left_m : kNothing_m, fit.right ? fit.right_m : kNothing_m, 0.15);
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+
 #include "memory/wall_fit.hpp"
 #include "perception/percept.hpp"
 
@@ -22,7 +24,8 @@ class CorridorMemory {
   void see(const CorridorView& view, const Pose2& at, const Pose2& now);
 
   /// The walls as the map remembers them, measured from where the robot is now.
-  void see(const WallFit& fit);
+  enum class Source : std::uint8_t { things, edges };
+  void see(const WallFit& fit, Source source);
 
   [[nodiscard]] double axis_rad() const { return axis_.value; }  ///< in the odometry frame
   [[nodiscard]] double axis_std_rad() const;

@@ -7,10 +7,15 @@ namespace striate {
 namespace {
 
 constexpr double kStep_m = LocalGrid::kCell_m;
+constexpr double kBlobDepth_m = 0.4;
+constexpr double kPastFrom_m = 0.25;
+constexpr float kSurelyHigher_m = 0.25F;
 constexpr double kStartled_s = 3.0;    // free so recently that something must have come
 constexpr float kSurelyFree = -1.2F;   // log-odds
 constexpr double kMotionSeen_m = 3.5;  // farther off range noise looks like motion
-constexpr float kCalming = 0.94F;      // per look: what stays is no longer moving
+constexpr float kCalmingOn = 0.99F;
+constexpr float kSettled = 0.35F;
+constexpr float kCalming = 0.94F;  // per look: what stays is no longer moving
 
 std::size_t slot(GridCell cell) {
   return static_cast<std::size_t>(cell.y & (LocalGrid::kSide - 1)) * LocalGrid::kSide +
@@ -19,9 +24,12 @@ std::size_t slot(GridCell cell) {
 
 }  // namespace
 
-EvidenceWriter::EvidenceWriter(const EvidenceSettings& settings)
-    : settings_(settings), masses_(static_cast<std::size_t>(LocalGrid::kSide) * LocalGrid::kSide) {
+EvidenceWriter::EvidenceWriter(const EvidenceSettings& settings, double camera_height_m)
+    : settings_(settings),
+      camera_height_m_(camera_height_m),
+      masses_(static_cast<std::size_t>(LocalGrid::kSide) * LocalGrid::kSide) {
   touched_.reserve(masses_.size());
+  heights_m_.reserve(4096);
 }
 
 double EvidenceWriter::range_error_m(double distance_m) const {
@@ -29,14 +37,16 @@ double EvidenceWriter::range_error_m(double distance_m) const {
       0.02, settings_.disparity_error_px * distance_m * distance_m / settings_.disparity_metre_px);
 }
 
-void EvidenceWriter::write(const std::vector<Column>& columns, const Pose2& pose, TimePoint stamp,
-                           LocalGrid& grid) {
+void EvidenceWriter::write(const Percept& percept, const Pose2& pose, LocalGrid& grid) {
+  const std::vector<Column>& columns = percept.columns;
   if (columns.size() < 2) return;
+  measure_heights(percept);
   const double span = std::abs(wrap_angle(columns.back().bearing_rad - columns[0].bearing_rad));
-  const Look look{pose, stamp, span / static_cast<double>(columns.size() - 1)};
+  const Look look{pose, percept.stamp, span / static_cast<double>(columns.size() - 1)};
   for (std::size_t i = 0; i < columns.size(); ++i) {
     gather_free(columns[i], look);
-    gather_occupied(columns[i], support_of(columns, i), look);
+    gather_past(columns[i], look);
+    gather_occupied(columns[i], support_of(columns, i), heights_m_[i], look);
   }
   for (const GridCell cell : touched_) {
     Mass& mass = masses_[slot(cell)];
@@ -60,11 +70,43 @@ double EvidenceWriter::support_of(const std::vector<Column>& columns, std::size_
   return agreeing == 1 ? 0.6 : settings_.lone_column_weight;
 }
 
-void EvidenceWriter::touch(GridCell cell, float occupied, float free) {
+EvidenceWriter::Mass& EvidenceWriter::touch(GridCell cell) {
   Mass& mass = masses_[slot(cell)];
-  if (mass.occupied == 0.0F && mass.free == 0.0F) touched_.push_back(cell);
-  mass.occupied += occupied;
-  mass.free += free;
+  if (!mass.touched) {
+    touched_.push_back(cell);
+    mass.touched = true;
+  }
+  return mass;
+}
+
+// Each column's obstacle belongs to a blob at about its distance; the blob knows how high it is.
+void EvidenceWriter::measure_heights(const Percept& percept) {
+  heights_m_.assign(percept.columns.size(), 0.0F);
+  const int columns = static_cast<int>(percept.columns.size());
+  for (const Obstacle& blob : percept.obstacles) {
+    for (int u = std::max(0, blob.from_u_px); u <= std::min(columns - 1, blob.to_u_px); ++u) {
+      const auto at = static_cast<std::size_t>(u);
+      const double apart_m = std::abs(percept.columns[at].obstacle_m - blob.distance_m);
+      if (apart_m < kBlobDepth_m) heights_m_[at] = static_cast<float>(blob.height_m);
+    }
+  }
+}
+
+// The line of sight to where the floor comes into view passes over what is nearer: anything higher
+// than that line would have been met. A person who stood close and left leaves no floor to see
+// where they stood, but their place is seen through.
+void EvidenceWriter::gather_past(const Column& column, const Look& look) {
+  if (!(column.free_to_m > column.free_from_m)) return;
+  const double angle = look.pose.heading_rad + column.bearing_rad;
+  const double dx = std::cos(angle);
+  const double dy = std::sin(angle);
+  const auto weight = static_cast<float>(column.free_confidence);
+  for (double r = kPastFrom_m; r < std::min(column.free_from_m, settings_.far_m); r += kStep_m) {
+    const GridCell cell = LocalGrid::cell_of({look.pose.x_m + r * dx, look.pose.y_m + r * dy});
+    Mass& mass = touch(cell);
+    mass.past += weight;
+    mass.past_above_m = static_cast<float>(camera_height_m_ * (1.0 - r / column.free_from_m));
+  }
 }
 
 void EvidenceWriter::gather_free(const Column& column, const Look& look) {
@@ -75,13 +117,14 @@ void EvidenceWriter::gather_free(const Column& column, const Look& look) {
   const double dy = std::sin(angle);
   const auto weight = static_cast<float>(column.free_confidence);
   for (double r = std::max(0.0, column.free_from_m); r < to_m; r += kStep_m) {
-    touch(LocalGrid::cell_of({look.pose.x_m + r * dx, look.pose.y_m + r * dy}), 0.0F, weight);
+    touch(LocalGrid::cell_of({look.pose.x_m + r * dx, look.pose.y_m + r * dy})).free += weight;
   }
 }
 
 // The error of a range grows with its square (spec, section 4: Z = f b / d), so the evidence is
 // spread along the ray as far as the thing may really stand, and thinned by that spread.
-void EvidenceWriter::gather_occupied(const Column& column, double support, const Look& look) {
+void EvidenceWriter::gather_occupied(const Column& column, double support, double height_m,
+                                     const Look& look) {
   if (support <= 0.0 || column.obstacle_confidence <= 0.0) return;
   const double sigma_m = range_error_m(column.obstacle_m);
   const double peak =
@@ -95,8 +138,9 @@ void EvidenceWriter::gather_occupied(const Column& column, double support, const
     const double weight = peak * std::exp(-0.5 * offset_m * offset_m / (sigma_m * sigma_m));
     const double r = column.obstacle_m + offset_m;
     if (r <= 0.0 || weight < 0.02) continue;
-    touch(LocalGrid::cell_of({look.pose.x_m + r * dx, look.pose.y_m + r * dy}),
-          static_cast<float>(weight), 0.0F);
+    Mass& mass = touch(LocalGrid::cell_of({look.pose.x_m + r * dx, look.pose.y_m + r * dy}));
+    mass.occupied += static_cast<float>(weight);
+    mass.height_m = std::max(mass.height_m, static_cast<float>(height_m));
   }
 }
 
@@ -107,20 +151,39 @@ void EvidenceWriter::settle(GridCell cell, const Mass& mass, const Look& look,
   // How many columns a cell at this distance can meet; a full look is all of them.
   const double meeting = std::max(1.0, kStep_m / (std::max(distance_m, 0.1) * look.column_rad));
   const double occupied = std::min(1.0, mass.occupied / meeting);
-  const double free = std::min(1.0, mass.free / meeting);
+  // A thin thing fills a part of its cell; the rest of the columns pass beside it.
+  const double beside = std::max(0.0, 1.0 - 1.5 * occupied);
+  const double free = beside * std::min(1.0, mass.free / meeting);
   const double boost = distance_m < settings_.near_m ? settings_.near_boost : 1.0;
   const float before = grid.log_odds(cell);
+  if (mass.occupied == 0.0F && mass.free == 0.0F) {
+    settle_past(cell, mass, std::min(1.0, mass.past / meeting), look, grid);
+    return;
+  }
   const double eager = grid.moving(cell) > 0.3F ? 2.0 : 1.0;  // where things move free clears fast
   const double change =
       boost * settings_.occupied_gain * occupied - eager * settings_.free_gain * free;
   if (occupied > 0.3 && change > 0.0) {
     const bool startled = before < kSurelyFree && distance_m < kMotionSeen_m &&
                           to_seconds(look.stamp - grid.last_seen(cell)) < kStartled_s;
-    grid.set_moving(cell, startled ? 1.0F : kCalming * grid.moving(cell));
+    const float moved = grid.moving(cell);
+    // What has moved may move on: it calms quickly, but not wholly.
+    const float calm = (moved > kSettled ? kCalming : kCalmingOn) * moved;
+    grid.set_moving(cell, startled ? 1.0F : calm);
     // Something came where floor was seen: the old free evidence is void.
     if (startled) grid.add(cell, -before, look.stamp);
   }
   grid.add(cell, static_cast<float>(change), look.stamp);
+  if (change > 0.0) grid.raise_to(cell, mass.height_m);
+}
+
+void EvidenceWriter::settle_past(GridCell cell, const Mass& mass, double share, const Look& look,
+                                 LocalGrid& grid) const {
+  const float before = grid.log_odds(cell);
+  if (before <= 0.0F || grid.height_m(cell) < mass.past_above_m + kSurelyHigher_m) return;
+  // Down to unknown at most: that nothing high is there does not make the floor free.
+  const auto change = static_cast<float>(settings_.free_gain * share);
+  grid.add(cell, -std::min(before, change), look.stamp);
 }
 
 }  // namespace striate

@@ -16,7 +16,7 @@ struct EvidenceSettings {
   double near_m = 1.0;               ///< within this one look is enough
   double occupied_gain = 0.9;        ///< log-odds of one full look at something
   double free_gain = 0.55;           ///< log-odds of one full look at bare floor
-  double near_boost = 2.5;           ///< times the gain within near_m
+  double near_boost = 4.0;           ///< times the gain within near_m
   double lone_column_weight = 0.2;   ///< of a column that no neighbour agrees with
 };
 
@@ -43,30 +43,39 @@ void visit(V& v, EvidenceSettings& s) {
 /// of one picture err together, so they are no independent witnesses.
 class EvidenceWriter {
  public:
-  explicit EvidenceWriter(const EvidenceSettings& settings);
+  EvidenceWriter(const EvidenceSettings& settings, double camera_height_m);
 
   /// `pose` is the robot's in the odometry frame at the moment of the picture.
-  void write(const std::vector<Column>& columns, const Pose2& pose, TimePoint stamp,
-             LocalGrid& grid);
+  void write(const Percept& percept, const Pose2& pose, LocalGrid& grid);
 
  private:
   struct Mass {
+    bool touched = false;
     float occupied = 0.0F;
     float free = 0.0F;
+    float past = 0.0F;          ///< columns that saw past, above the floor ...
+    float past_above_m = 0.0F;  ///< ... all that is higher than this
+    float height_m = 0.0F;
   };
   struct Look {
     const Pose2& pose;
     TimePoint stamp;
     double column_rad;
   };
+  void measure_heights(const Percept& percept);
   void gather_free(const Column& column, const Look& look);
-  void gather_occupied(const Column& column, double support, const Look& look);
-  void touch(GridCell cell, float occupied, float free);
+  void gather_past(const Column& column, const Look& look);
+  void gather_occupied(const Column& column, double support, double height_m, const Look& look);
+  Mass& touch(GridCell cell);
   void settle(GridCell cell, const Mass& mass, const Look& look, LocalGrid& grid) const;
+  void settle_past(GridCell cell, const Mass& mass, double share, const Look& look,
+                   LocalGrid& grid) const;
   [[nodiscard]] double support_of(const std::vector<Column>& columns, std::size_t i) const;
   [[nodiscard]] double range_error_m(double distance_m) const;
 
   EvidenceSettings settings_;
+  double camera_height_m_;
+  std::vector<float> heights_m_;  // of what each column met
   std::vector<Mass> masses_;
   std::vector<GridCell> touched_;
 };

@@ -79,6 +79,7 @@ void LocalGrid::add(GridCell cell, float log_odds, TimePoint seen) {
   if (!holds(cell)) return;
   Stored& stored = cells_[index(cell)];
   stored.log_odds = std::clamp(stored.log_odds + log_odds, kLeast, kMost);
+  if (stored.log_odds < kFreeBelow) stored.height_m = 0.0F;
   stored.seen_ms = milliseconds(seen);
 }
 
@@ -86,8 +87,18 @@ void LocalGrid::set_moving(GridCell cell, float moving) {
   if (holds(cell)) cells_[index(cell)].moving = std::clamp(moving, 0.0F, 1.0F);
 }
 
+float LocalGrid::height_m(GridCell cell) const {
+  return holds(cell) ? cells_[index(cell)].height_m : 0.0F;
+}
+
+void LocalGrid::raise_to(GridCell cell, float height_m) {
+  if (!holds(cell)) return;
+  Stored& stored = cells_[index(cell)];
+  stored.height_m = std::max(stored.height_m, height_m);
+}
+
 void LocalGrid::clear(GridCell cell, TimePoint seen) {
-  if (holds(cell)) cells_[index(cell)] = {kLeast, 0.0F, milliseconds(seen)};
+  if (holds(cell)) cells_[index(cell)] = {kLeast, 0.0F, 0.0F, milliseconds(seen)};
 }
 
 void LocalGrid::fade(const Fade& factor) {

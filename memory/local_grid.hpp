@@ -51,6 +51,9 @@ class LocalGrid {
   /// Adds evidence and notes the time. A cell outside is ignored.
   void add(GridCell cell, float log_odds, TimePoint seen);
   void set_moving(GridCell cell, float moving);
+  /// Highest part seen of what stands here, metres above the floor; 0 where never seen.
+  [[nodiscard]] float height_m(GridCell cell) const;
+  void raise_to(GridCell cell, float height_m);
   /// The floor under the robot itself: certainly free.
   void clear(GridCell cell, TimePoint seen);
 
@@ -72,6 +75,7 @@ class LocalGrid {
   struct Stored {
     float log_odds = 0.0F;
     float moving = 0.0F;
+    float height_m = 0.0F;
     std::int32_t seen_ms = 0;
   };
   [[nodiscard]] static std::size_t index(GridCell cell) {

@@ -16,7 +16,10 @@ constexpr std::size_t kMostRegions = 64;
 
 ShortTermMemory::ShortTermMemory(const ShortTermMemorySettings& settings,
                                  const RobotDescription& robot)
-    : settings_(settings), robot_(robot), evidence_(settings.evidence), salient_(settings.salient) {
+    : settings_(settings),
+      robot_(robot),
+      evidence_(settings.evidence, robot.camera_height_m),
+      salient_(settings.salient) {
   regions_now_.reserve(kMostRegions);
 }
 
@@ -29,8 +32,16 @@ void ShortTermMemory::update(const Senses& senses, const Percept& percept) {
   salient_.attend(head_.pan_rad, now_, now_ - before);
   if (now_ - fitted_ >= kFitEvery) {
     fitted_ = now_;
-    corridor_.see(wall_fitter_.fit(grid_, pose_, corridor_.axis_rad()));
+    fit_walls();
   }
+}
+
+void ShortTermMemory::fit_walls() {
+  const WallFit things = wall_fitter_.fit(grid_, pose_, corridor_.axis_rad());
+  corridor_.see(things, CorridorMemory::Source::things);
+  if (things.left && things.right) return;
+  corridor_.see(wall_fitter_.fit_edges(grid_, pose_, corridor_.axis_rad(), corridor_.width_m()),
+                CorridorMemory::Source::edges);
 }
 
 void ShortTermMemory::feel(const Senses& senses) {
@@ -61,7 +72,7 @@ void ShortTermMemory::see(const Percept& percept) {
   noise_level_ = percept.noise_level;
   if (!history_.reaches(percept.stamp)) return;  // too old to say where it belongs
   const Pose2 at = history_.at(percept.stamp);
-  evidence_.write(percept.columns, at, percept.stamp, grid_);
+  evidence_.write(percept, at, grid_);
   corridor_.see(percept.corridor, at, pose_);
 
   int knowing = 0;

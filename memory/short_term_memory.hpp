@@ -98,6 +98,7 @@ class ShortTermMemory {
   void feel(const Senses& senses);
   void see(const Percept& percept);
   void fade();
+  void fit_walls();
   void clear_own_place();
 
   ShortTermMemorySettings settings_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 
 namespace striate {
@@ -12,17 +13,41 @@ constexpr double kNearest_m = 0.35;
 constexpr double kFarthest_m = 3.15;
 constexpr double kBin_m = 0.05;
 constexpr int kBins = 56;  // (kFarthest_m - kNearest_m) / kBin_m
+constexpr double kPiece_m = 0.25;
+constexpr double kPiecesFrom_m = 7.5;
 constexpr int kTurns = 12;
 constexpr double kTurn_rad = 0.0131;  // 0.75 degrees
 constexpr double kLeastLength_m = 1.5;
 constexpr double kLeastScore = 24.0;  // cells in line
 constexpr std::size_t kMostCells = 4096;
+constexpr double kWidthTolerance_m = 0.35;
 
 struct Bin {
   float cells = 0.0F;
   float least_m = 1e3F;
   float most_m = -1e3F;
+  std::uint64_t pieces = 0;  // quarter metres along it that hold anything
 };
+
+// Boxes in a row are no wall: most of a wall's length is there.
+bool solid(const Bin& a, const Bin& b, const Bin& c) {
+  const int pieces = std::popcount(a.pieces | b.pieces | c.pieces);
+  const float length_m =
+      std::max({a.most_m, b.most_m, c.most_m}) - std::min({a.least_m, b.least_m, c.least_m});
+  return static_cast<double>(pieces) * kPiece_m > 0.7 * static_cast<double>(length_m);
+}
+
+bool still_thing(const LocalGrid& grid, GridCell cell) {
+  return grid.state(cell) == FloorState::occupied && grid.moving(cell) <= 0.2F;
+}
+
+bool edge_of_floor(const LocalGrid& grid, GridCell cell) {
+  if (grid.state(cell) == FloorState::free) return false;
+  return grid.state({cell.x + 1, cell.y}) == FloorState::free ||
+         grid.state({cell.x - 1, cell.y}) == FloorState::free ||
+         grid.state({cell.x, cell.y + 1}) == FloorState::free ||
+         grid.state({cell.x, cell.y - 1}) == FloorState::free;
+}
 
 }  // namespace
 
@@ -30,13 +55,14 @@ WallFitter::WallFitter() {
   standing_.reserve(kMostCells);
 }
 
-void WallFitter::gather(const LocalGrid& grid, const Pose2& robot, double expected_rad) {
+void WallFitter::gather(From from, const LocalGrid& grid, const Pose2& robot, double expected_rad) {
   standing_.clear();
   const Pose2 frame{robot.x_m, robot.y_m, expected_rad};
   const GridCell first = grid.first();
   for (int y = first.y; y < first.y + LocalGrid::kSide; ++y) {
     for (int x = first.x; x < first.x + LocalGrid::kSide; ++x) {
-      if (grid.state({x, y}) != FloorState::occupied || grid.moving({x, y}) > 0.2F) continue;
+      if (from == From::things ? !still_thing(grid, {x, y}) : !edge_of_floor(grid, {x, y}))
+        continue;
       const Point2 place = to_inner(frame, LocalGrid::centre_of({x, y}));
       if (std::abs(place.x_m) > kAhead_m || standing_.size() >= kMostCells) continue;
       standing_.push_back(place);
@@ -56,6 +82,9 @@ WallFitter::Line WallFitter::strongest(double turn_rad, double side) const {
     bin.cells += 1.0F;
     bin.least_m = std::min(bin.least_m, along_m);
     bin.most_m = std::max(bin.most_m, along_m);
+    const auto piece =
+        static_cast<unsigned>((static_cast<double>(along_m) + kPiecesFrom_m) / kPiece_m);
+    bin.pieces |= std::uint64_t{1} << std::min(63U, piece);
   }
   Line best;
   for (std::size_t i = 1; i + 1 < bins.size(); ++i) {
@@ -64,6 +93,7 @@ WallFitter::Line WallFitter::strongest(double turn_rad, double side) const {
     const double score = bins[i].cells * sum;
     const float length_m = bins[i].most_m - bins[i].least_m;
     if (score <= best.score || sum < kLeastScore || length_m < kLeastLength_m) continue;
+    if (!solid(bins[i - 1], bins[i], bins[i + 1])) continue;
     const double shift = (bins[i + 1].cells - bins[i - 1].cells) / sum;
     best = {score, kNearest_m + (static_cast<double>(i) + 0.5 + shift) * kBin_m, true};
   }
@@ -71,7 +101,21 @@ WallFitter::Line WallFitter::strongest(double turn_rad, double side) const {
 }
 
 WallFit WallFitter::fit(const LocalGrid& grid, const Pose2& robot, double expected_rad) {
-  gather(grid, robot, expected_rad);
+  gather(From::things, grid, robot, expected_rad);
+  return fit_gathered(expected_rad);
+}
+
+WallFit WallFitter::fit_edges(const LocalGrid& grid, const Pose2& robot, double expected_rad,
+                              double width_m) {
+  gather(From::edges, grid, robot, expected_rad);
+  WallFit fit = fit_gathered(expected_rad);
+  const bool plausible =
+      fit.left && fit.right && std::abs(fit.left_m + fit.right_m - width_m) < kWidthTolerance_m;
+  if (!plausible) fit.valid = false;
+  return fit;
+}
+
+WallFit WallFitter::fit_gathered(double expected_rad) const {
   WallFit fit;
   if (static_cast<double>(standing_.size()) < kLeastScore) return fit;
   std::array<double, 2 * kTurns + 1> scores{};

@@ -25,13 +25,20 @@ class WallFitter {
   WallFitter();
   [[nodiscard]] WallFit fit(const LocalGrid& grid, const Pose2& robot, double expected_rad);
 
+  /// The same from the edges of the floor that was seen free: where a wall is too plain to match,
+  /// the floor ends at it all the same. Both edges must be found, as far apart as `width_m`.
+  [[nodiscard]] WallFit fit_edges(const LocalGrid& grid, const Pose2& robot, double expected_rad,
+                                  double width_m);
+
  private:
   struct Line {
     double score = 0.0;
     double distance_m = 0.0;
     bool found = false;
   };
-  void gather(const LocalGrid& grid, const Pose2& robot, double expected_rad);
+  enum class From : std::uint8_t { things, edges };
+  void gather(From from, const LocalGrid& grid, const Pose2& robot, double expected_rad);
+  [[nodiscard]] WallFit fit_gathered(double expected_rad) const;
   [[nodiscard]] Line strongest(double turn_rad, double side) const;
 
   std::vector<Point2> standing_;  // in the frame of the robot's place and the expected heading

@@ -23,11 +23,11 @@ void check_file(const std::string& file) {
   const config::Node root = load_yaml(mistakes);
   mistakes.throw_if_any();
   if (root.find("striate_world") != nullptr) {
-    simulator::load_world(file);
+    (void)simulator::load_world(file);
   } else if (root.find("striate") != nullptr || root.find("do") != nullptr) {
-    load_task(file, RobotDescription{});
+    (void)load_task(file, RobotDescription{});
   } else {
-    load_robot_settings(file);
+    (void)load_robot_settings(file);
   }
 }
 

@@ -7,26 +7,37 @@ namespace striate {
 
 void add_perceive_command(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<PerceiveOptions>();
+  PerceiveOptions& given = *options;
   CLI::App* command = app.add_subcommand(
       "perceive",
-      "Shows what the vision makes of a picture pair, or of one picture.\n"
+      "Shows what the vision makes of a picture pair, or of one picture: disparity.pfm,\n"
+      "confidence.pfm, obstacles.json, saliency.png, keypoints.json and overview.png.\n"
       "Example: striate perceive --left L.png --right R.png --out out --focal-px 436.2 "
       "--baseline-m 0.11");
-  command->add_option("--left", options->left, "the left picture")->required();
-  command->add_option("--right", options->right, "the right picture, rectified");
-  command->add_option("--out", options->out, "folder for what comes out")->required();
-  command->add_option("--setting", options->setting, "paper or robust")
+  command->add_option("--left", given.left, "the left picture")->required();
+  command->add_option("--right", given.right, "the right picture, rectified like the left");
+  command->add_option("--out", given.out, "folder for what comes out")->required();
+  command->add_option("--setting", given.setting, "paper or robust")
       ->check(CLI::IsMember({"paper", "robust"}))
       ->capture_default_str();
-  command->add_option("--width", options->width_px, "working width in px")->capture_default_str();
-  command
-      ->add_option("--candidates", options->candidates,
-                   "disparities searched, px at the working width")
+  command->add_option("--width", given.width_px, "working width in px")
+      ->check(CLI::Range(32, 640))
       ->capture_default_str();
-  command->add_option("--focal-px", options->focal_px, "focal length in px of the given pictures");
-  command->add_option("--baseline-m", options->baseline_m, "distance of the two cameras");
-  command->add_option("--camera-height-m", options->camera_height_m, "of the lens above the floor");
-  command->add_option("--tilt-deg", options->tilt_deg, "of the camera, up positive");
+  command
+      ->add_option("--candidates", given.candidates,
+                   "disparities searched, px at the working width; 0: 150 at width 160")
+      ->check(CLI::Range(0, 256))
+      ->capture_default_str();
+  command->add_option("--focal-px", given.focal_px, "focal length in px of the given pictures")
+      ->check(CLI::PositiveNumber);
+  command->add_option("--baseline-m", given.baseline_m, "distance of the two cameras")
+      ->check(CLI::PositiveNumber);
+  command->add_option("--centre-u-px", given.centre_u_px, "principal point; else the middle");
+  command->add_option("--centre-v-px", given.centre_v_px, "principal point; else the middle");
+  command->add_option("--camera-height-m", given.camera_height_m,
+                      "of the lens above the floor; without it obstacles are near blobs");
+  command->add_option("--tilt-deg", given.tilt_deg, "of the camera, up positive")
+      ->check(CLI::Range(-60.0, 60.0));
   command->callback([options, &exit_code] { exit_code = perceive(*options); });
 }
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
-namespace striate {
+namespace striate::pictures {
 namespace {
 
 constexpr double kReach_m = 5.0;
@@ -106,4 +106,4 @@ cv::Mat3b draw_map(const ShortTermMemory& memory, const RobotDescription& robot,
   return picture.take();
 }
 
-}  // namespace striate
+}  // namespace striate::pictures

@@ -6,7 +6,7 @@
 #include "memory/short_term_memory.hpp"
 #include "platform/interface/robot.hpp"
 
-namespace striate {
+namespace striate::pictures {
 
 /// The short-term memory from above: robot in the middle looking up, free floor green, what stands
 /// dark red, unknown grey; the camera's view as a wedge, the remembered corridor as lines, the
@@ -14,4 +14,4 @@ namespace striate {
 [[nodiscard]] cv::Mat3b draw_map(const ShortTermMemory& memory, const RobotDescription& robot,
                                  const std::deque<Point2>& trail, int side_px);
 
-}  // namespace striate
+}  // namespace striate::pictures

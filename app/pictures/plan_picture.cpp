@@ -9,7 +9,7 @@
 
 #include "platform/simulator/static_shapes.hpp"
 
-namespace striate {
+namespace striate::pictures {
 namespace {
 
 using simulator::FloorPlan;
@@ -19,7 +19,7 @@ constexpr double kStrip_m = 20.0;
 constexpr double kAround_m = 0.45;
 constexpr int kTitle_px = 46;
 constexpr int kLegend_px = 40;
-const cv::Scalar kPaper(250, 250, 250);
+constexpr int kLeastWidth_px = 1110;  // the legend needs it
 const cv::Scalar kInk(60, 50, 45);
 const cv::Scalar kObstacle(90, 125, 170);
 const cv::Scalar kPeople(190, 120, 60);
@@ -30,13 +30,17 @@ struct Bounds {
   double low_x_m, low_y_m, high_x_m, high_y_m;
 };
 
-Bounds bounds_of(const FloorPlan& plan) {
+/// Of the outline between two x; a strip is no higher than the corridor is wide there.
+Bounds bounds_of(const FloorPlan& plan, double from_x_m, double to_x_m) {
   Bounds box{1e9, 1e9, -1e9, -1e9};
-  for (const Point2& corner : plan.outline) {
-    box.low_x_m = std::min(box.low_x_m, corner.x_m);
-    box.low_y_m = std::min(box.low_y_m, corner.y_m);
-    box.high_x_m = std::max(box.high_x_m, corner.x_m);
-    box.high_y_m = std::max(box.high_y_m, corner.y_m);
+  for (std::size_t i = 0; i < plan.outline.size(); ++i) {
+    const Point2 a = plan.outline[i];
+    const Point2 b = plan.outline[(i + 1) % plan.outline.size()];
+    if (std::max(a.x_m, b.x_m) < from_x_m || std::min(a.x_m, b.x_m) > to_x_m) continue;
+    box.low_x_m = std::min({box.low_x_m, a.x_m, b.x_m});
+    box.low_y_m = std::min({box.low_y_m, a.y_m, b.y_m});
+    box.high_x_m = std::max({box.high_x_m, a.x_m, b.x_m});
+    box.high_y_m = std::max({box.high_y_m, a.y_m, b.y_m});
   }
   return box;
 }
@@ -202,25 +206,27 @@ void draw_legend(cv::Mat3b row) {
 cv::Mat3b draw_plan(const simulator::World& world, const FloorPlan& plan,
                     const simulator::Judge& judge, const simulator::PictureSource* light,
                     const std::string& title) {
-  const Bounds box = bounds_of(plan);
-  const double length_m = box.high_x_m - box.low_x_m;
-  const double height_m = box.high_y_m - box.low_y_m + 2.0 * kAround_m;
+  const Bounds all = bounds_of(plan, -1e9, 1e9);
+  const double length_m = all.high_x_m - all.low_x_m;
   const int strips = std::max(1, static_cast<int>(std::ceil(length_m / kStrip_m - 1e-6)));
   const double strip_m = std::min(length_m, kStrip_m);
-  const cv::Size size(static_cast<int>((strip_m + 2.0 * kAround_m) * kScale),
-                      static_cast<int>(height_m * kScale));
-  cv::Mat3b image(kTitle_px + strips * size.height + kLegend_px, size.width,
-                  cv::Vec3b(250, 250, 250));
-  cv::putText(image, title, {16, 32}, cv::FONT_HERSHEY_SIMPLEX, 0.7, kInk, 1, cv::LINE_AA);
+  const int width = std::max(kLeastWidth_px, static_cast<int>((strip_m + 2 * kAround_m) * kScale));
+  cv::Mat3b image(kTitle_px, width, cv::Vec3b(250, 250, 250));
+  cv::putText(image, title, {16, 32}, cv::FONT_HERSHEY_SIMPLEX, 0.62, kInk, 1, cv::LINE_AA);
   for (int i = 0; i < strips; ++i) {
-    cv::Mat3b area = image(cv::Rect({0, kTitle_px + i * size.height}, size));
-    Strip strip(area, box.low_x_m + i * kStrip_m - kAround_m, box.high_y_m + kAround_m);
+    const double from_x_m = all.low_x_m + i * kStrip_m - kAround_m;
+    const Bounds box = bounds_of(plan, from_x_m, from_x_m + strip_m + 2 * kAround_m);
+    const double height_m = box.high_y_m - box.low_y_m + 2 * kAround_m;
+    cv::Mat3b area(static_cast<int>(height_m * kScale), width, cv::Vec3b(250, 250, 250));
+    Strip strip(area, from_x_m, box.high_y_m + kAround_m);
     draw_world(strip, world, plan, light);
     draw_people(strip, judge);
     draw_run(strip, judge, plan);
+    image.push_back(area);
   }
+  image.push_back(cv::Mat3b(kLegend_px, width, cv::Vec3b(250, 250, 250)));
   draw_legend(image.rowRange(image.rows - kLegend_px, image.rows));
   return image;
 }
 
-}  // namespace striate
+}  // namespace striate::pictures

@@ -6,7 +6,7 @@
 #include "platform/simulator/judge.hpp"
 #include "platform/simulator/scene.hpp"
 
-namespace striate {
+namespace striate::pictures {
 
 /// A run from above: walls, obstacles with their names, how light the floor is, the driven way
 /// coloured by speed, the ways of the people, near misses (rings) and collisions (crosses). A
@@ -16,4 +16,4 @@ namespace striate {
                                   const simulator::Judge& judge,
                                   const simulator::PictureSource* light, const std::string& title);
 
-}  // namespace striate
+}  // namespace striate::pictures

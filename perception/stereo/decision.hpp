@@ -1,35 +1,55 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
-#include <opencv2/core/mat.hpp>
 #include <vector>
 
 #include "perception/percept.hpp"
 #include "perception/stereo/semi_global.hpp"
 #include "perception/stereo/stereo_settings.hpp"
+#include "perception/stereo/winner_kernels.hpp"
 #include "perception/v1/v1_cells.hpp"
 
 namespace striate {
 
-/// From smoothed costs to disparities: which to trust, and how much.
+/// What a pixel's disparity rests on; integers, so that every machine decides alike.
+struct StereoEvidence {
+  int margin = 0;      ///< smoothed cost of the runner-up minus the winner's, sums of 8 paths
+  int sum = 0;         ///< smoothed cost of the winner, sum of 8 paths
+  int raw_margin = 0;  ///< raw cost of the best other disparity minus the winner's; may be negative
+  int cost = 0;        ///< raw Hamming distance of the winner, bits
+  int texture = 0;     ///< code of the strongest complex cell, from its least value: 2048 an octave
+};
+
+/// From smoothed costs to disparities: which to trust, and how much. Keeps its buffers.
 class Decision {
  public:
-  explicit Decision(const RobustStereoSettings& settings) : settings_(settings) {}
+  explicit Decision(const RobustStereoSettings& settings);
 
-  struct Evidence {
+  struct Input {
     const Volume<std::uint8_t>& costs;  ///< raw Hamming costs
-    const Volume<std::uint16_t>& sums;  ///< smoothed, sums of 8 paths
-    const V1Responses& left;            ///< for the texture
+    const SemiGlobal& smoothed;
+    const Plane<std::uint8_t>& outside;  ///< see SmoothedRow
+    const V1Responses& left;
     int candidates = 0;
   };
-  void decide(const Evidence& evidence, DisparityMap& out);
+  void decide(const Input& input, DisparityMap& out);
 
  private:
-  void decide_row(const Evidence& evidence, int y, DisparityMap& out);
+  void find_winners(const Input& input, int y);
+  void decide_row(const Input& input, int y, DisparityMap& out);
+  [[nodiscard]] float sub_pixel(int best, int x, int limit) const;
   void drop_speckles(DisparityMap& out);
 
   RobustStereoSettings settings_;
-  std::vector<int> left_best_, right_best_, stack_, piece_;
+  float least_confidence_;
+  Plane<std::uint16_t> sums_;     ///< of one row, [disparity][column]
+  Plane<std::uint16_t> winners_;  ///< rows: best, smallest, second, raw_second, right_best
+  std::vector<std::uint8_t> seen_;
+  std::vector<int> piece_;
 };
+
+/// Estimated probability, in steps of 1/1000, that a disparity is right within 1 px.
+[[nodiscard]] float stereo_confidence(const StereoEvidence& evidence);
 
 }  // namespace striate

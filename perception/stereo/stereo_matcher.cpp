@@ -7,23 +7,15 @@
 
 #include "config/user_error.hpp"
 #include "perception/descriptor/dense_descriptor.hpp"
+#include "perception/descriptor/phase_code.hpp"
 #include "perception/stereo/cost_kernels.hpp"
 #include "perception/stereo/decision.hpp"
+#include "perception/stereo/phase_costs.hpp"
 #include "perception/stereo/semi_global.hpp"
 #include "perception/v1/v1_cells.hpp"
 
 namespace striate {
 namespace {
-
-V1Settings v1_settings(const StereoSettings& s) {
-  V1Settings v1;  // the paper's
-  v1.wavelength_px = s.wavelength_px;
-  if (s.setting == StereoSetting::robust) {
-    v1.sigma_factor = s.robust.sigma_factor;
-    v1.gamma = s.robust.gamma;
-  }
-  return v1;
-}
 
 void check(const StereoSettings& s) {
   auto require = [](bool good, const std::string& what) {
@@ -31,7 +23,9 @@ void check(const StereoSettings& s) {
   };
   require(s.candidates >= 0 && s.candidates <= 256, "candidates must be 0 .. 256");
   require(s.width >= 1, "width must be at least 1 px");
-  require(s.wavelength_px >= 3.0 && s.wavelength_px <= 12.0, "wavelength must be 3 .. 12 px");
+  for (const V1Settings& v1 : {s.paper_v1, s.robust.v1}) {
+    require(v1.wavelength_px >= 3.0 && v1.wavelength_px <= 12.0, "wavelength must be 3 .. 12 px");
+  }
   require(s.robust.large_step_penalty >= 1 && s.robust.large_step_penalty <= 120 &&
               s.robust.small_step_penalty >= 0 && s.robust.small_step_penalty <= 120,
           "step penalties must be at most 120 bits");
@@ -44,17 +38,18 @@ class StereoMatcher::Work {
   explicit Work(const StereoSettings& settings)
       : settings_(settings),
         robust_(settings.setting == StereoSetting::robust),
-        widening_(robust_ ? settings.robust.widening : 1.0),
-        points_(descriptor_points(settings.wavelength_px, widening_)),
-        cells_(v1_settings(settings)),
+        points_(descriptor_points(settings.paper_v1.wavelength_px, 1.0)),
+        cells_(robust_ ? settings.robust.v1 : settings.paper_v1),
         semi_global_(settings.robust.small_step_penalty, settings.robust.large_step_penalty),
         decision_(settings.robust) {}
 
   void match(const cv::Mat1b& left, const cv::Mat1b& right, DisparityMap& out) {
-    const int reach = descriptor_reach(settings_.wavelength_px, widening_);
-    cells_.respond(left, reach, false, left_);
-    cells_.respond(right, reach, false, right_);
+    const int reach = robust_ ? 0 : descriptor_reach(settings_.paper_v1.wavelength_px, 1.0);
+    cells_.respond(left, reach, robust_, left_);
+    cells_.respond(right, reach, robust_, right_);
     prepare(left.cols);
+    if (!out.disparity_px.isContinuous()) out.disparity_px.release();
+    if (!out.confidence.isContinuous()) out.confidence.release();
     out.disparity_px.create(left.size());
     out.confidence.create(left.size());
     if (robust_) {
@@ -71,28 +66,25 @@ class StereoMatcher::Work {
   void prepare(int width) {
     candidates_ = settings_.searched();
     rounded_ = (candidates_ + 3) / 4 * 4;
-    left_row_.resize(width, kDescriptorPoints, 0, 0);
-    right_row_.resize(width, kDescriptorPoints, rounded_ + 4, 0);
     outside_.resize(width, 1, rounded_ + 4, 0);
     std::fill(outside_.row(0) - outside_.margin(), outside_.row(0), std::uint8_t{255});
     std::fill(outside_.row(0), outside_.row(0) + width, std::uint8_t{0});
   }
 
-  void cost_row(int y, int width, std::uint8_t* costs, int stride) {
-    const DescriptorRow left{left_row_.row(0), left_row_.stride()};
-    const DescriptorRow right{right_row_.row(0), right_row_.stride()};
-    describe_row(left_, points_, y, left);
-    describe_row(right_, points_, y, right);
-    stereo_kernels::hamming_costs(left, right, outside_.row(0), width, rounded_, costs, stride);
-  }
-
   void match_as_paper(cv::Size size, DisparityMap& out) {
     costs_.resize(1, rounded_, size.width);
+    left_row_.resize(size.width, kDescriptorPoints, 0, 0);
+    right_row_.resize(size.width, kDescriptorPoints, rounded_ + 4, 0);
+    const DescriptorRow left{left_row_.row(0), left_row_.stride()};
+    const DescriptorRow right{right_row_.row(0), right_row_.stride()};
     winners_.resize(size.width, 1, 0, 0);
     raw_.create(size);
     for (int y = 0; y < size.height; ++y) {
-      cost_row(y, size.width, costs_.line(0), costs_.plane.stride());
-      stereo_kernels::smallest_cost(costs_.line(0), costs_.plane.stride(), size.width, candidates_,
+      describe_row(left_, points_, y, left);
+      describe_row(right_, points_, y, right);
+      stereo_kernels::hamming_costs(left, right, outside_.row(0), size.width, rounded_,
+                                    costs_.line(0), costs_.stride());
+      stereo_kernels::smallest_cost(costs_.line(0), costs_.stride(), size.width, candidates_,
                                     winners_.row(0));
       std::copy(winners_.row(0), winners_.row(0) + size.width, raw_.ptr(y));
     }
@@ -102,28 +94,26 @@ class StereoMatcher::Work {
   }
 
   void match_robust(cv::Size size, DisparityMap& out) {
-    costs_.resize(size.height, rounded_, size.width);
-    for (int y = 0; y < size.height; ++y) {
-      cost_row(y, size.width, costs_.line(y), costs_.plane.stride());
-    }
-    costs_.disparities = rounded_;
-    semi_global_.smooth(costs_, size.height, sums_);
-    decision_.decide({costs_, sums_, left_, candidates_}, out);
+    phase_codes(left_, 0, left_phase_);
+    phase_codes(right_, rounded_, right_phase_);
+    phase_costs_.compute(left_phase_, right_phase_, outside_, rounded_, costs_);
+    semi_global_.smooth(costs_, size.height);
+    decision_.decide({costs_, semi_global_, outside_, left_, candidates_}, out);
   }
 
   StereoSettings settings_;
   bool robust_;
-  double widening_;
   std::array<DescriptorPoint, kDescriptorPoints> points_;
   V1Cells cells_;
   SemiGlobal semi_global_;
   Decision decision_;
   V1Responses left_, right_;
+  PhaseCodes left_phase_, right_phase_;
+  PhaseCosts phase_costs_;
   int candidates_ = 0;
   int rounded_ = 0;
   Plane<std::uint8_t> left_row_, right_row_, outside_, winners_;
   Volume<std::uint8_t> costs_;
-  Volume<std::uint16_t> sums_;
   cv::Mat1b raw_, median_;
 };
 

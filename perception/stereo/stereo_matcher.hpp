@@ -20,9 +20,10 @@ namespace striate {
 /// distance wins (of equal ones the smallest disparity), 5x5 median. Every pixel has a disparity;
 /// confidence is 1 everywhere, for the paper has none.
 ///
-/// robust: narrower V1 envelope, wider circles, semi-global smoothing of the same Hamming costs
-/// (Hirschmueller 2008), sub-pixel, and rejection: left-right check, uniqueness, speckles. What is
-/// rejected is kNoMatch. Confidence is the estimated probability that the disparity is right.
+/// robust: descriptors of the same 256 bits, from the simple cells' phase (see phase_code.hpp),
+/// semi-global smoothing of their Hamming costs (Hirschmueller 2008), sub-pixel, and rejection:
+/// left-right check, least confidence, speckles. What is rejected is kNoMatch. Confidence is the
+/// estimated probability that the disparity is right within 1 px.
 ///
 /// Integer arithmetic up to the cost volume's minimum: the same result on every machine. Buffers
 /// are kept: after the first pair of a size nothing is allocated. Not for concurrent use; any

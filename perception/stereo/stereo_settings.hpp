@@ -12,14 +12,14 @@ enum class StereoSetting { paper, robust };
 
 /// How the robust setting decides; the paper's setting has none of this.
 struct RobustStereoSettings {
-  double sigma_factor = 0.30;   ///< of the Gabor envelope: narrower than the published model's
-  double gamma = 1.0;           ///< round envelope: exactly separable, so also faster
-  double widening = 1.5;        ///< of the descriptor's circles
-  int small_step_penalty = 12;  ///< P1, in bits: neighbours differ by one pixel of disparity
-  int large_step_penalty = 70;  ///< P2, in bits: by more
-  int left_right_px = 1;        ///< tolerance of the left-right check
-  double uniqueness = 0.02;     ///< the runner-up must be worse by this fraction
-  int speckle_px = 40;          ///< connected pieces smaller than this are dropped
+  /// A shorter wavelength than the paper's 4 px and a narrow, round envelope: finer in the
+  /// picture, and exactly separable, so also faster.
+  V1Settings v1{3.0, 0.30, 1.0, EvenMean::envelope};
+  int small_step_penalty = 20;    ///< P1, in bits: neighbours differ by one pixel of disparity
+  int large_step_penalty = 80;    ///< P2, in bits: by more
+  int left_right_px = 1;          ///< tolerance of the left-right check
+  double least_confidence = 0.3;  ///< less certain disparities are unknown
+  int speckle_px = 40;            ///< connected pieces smaller than this are dropped
 };
 
 /// Settings of StereoMatcher.
@@ -27,7 +27,7 @@ struct StereoSettings {
   StereoSetting setting = StereoSetting::robust;
   int width = 160;     ///< px; pictures are brought to this width
   int candidates = 0;  ///< disparities searched; 0: 150 (paper), 64 (robust) at width 160, in scale
-  double wavelength_px = 4.0;
+  V1Settings paper_v1;  ///< of the paper setting: lambda = 4 px
   RobustStereoSettings robust;
 
   /// Disparities 0 .. n - 1 are searched; at most 256.
@@ -41,25 +41,22 @@ struct StereoSettings {
 template <class V>
 void visit(V& v, RobustStereoSettings& s) {
   using config::Unit;
-  v.number("sigma_factor", s.sigma_factor, Unit::none, {0.2, 1.0}, "envelope sigma / wavelength");
-  v.number("gamma", s.gamma, Unit::none, {0.25, 2.0}, "shape of the envelope: factor of y'^2");
-  v.number("widening", s.widening, Unit::none, {0.5, 3.0}, "factor of the descriptor's radii");
+  v.section("v1", s.v1);
   v.integer("small_step_penalty", s.small_step_penalty, {0, 120}, "bits, for a step of one pixel");
   v.integer("large_step_penalty", s.large_step_penalty, {1, 120}, "bits, for a larger step");
   v.integer("left_right", s.left_right_px, {0, 8}, "pixels that left and right may disagree by");
-  v.number("uniqueness", s.uniqueness, Unit::fraction, {0.0, 1.0},
-           "the runner-up must be worse by");
+  v.number("least_confidence", s.least_confidence, Unit::fraction, {0.0, 1.0},
+           "less certain disparities are unknown");
   v.integer("speckle", s.speckle_px, {0, 2000}, "smaller connected pieces are dropped, pixels");
 }
 
 template <class V>
 void visit(V& v, StereoSettings& s) {
-  using config::Unit;
   v.choice("setting", s.setting, {"paper", "robust"}, "the paper's stereo, or the best we have");
   v.integer("width", s.width, {32, 640}, "working width, pixels");
   v.integer("candidates", s.candidates, {0, 256},
             "disparities searched; 0: 150 (paper) or 64 (robust) at width 160");
-  v.number("wavelength", s.wavelength_px, Unit::pixels, {3.0, 12.0}, "of the V1 cells");
+  v.section("paper_v1", s.paper_v1);
   v.section("robust", s.robust);
 }
 

@@ -45,73 +45,147 @@ struct Path {
   }
 };
 
-/// One half of the lanes of the results, as 16 bit, onto the sums.
-template <int kPaths, class D16, class Half>
+/// One half of the lanes of three results, as 16 bit, onto the sums.
+template <class D16, class Half>
 HWY_INLINE void AddHalf(D16 d16, const V8* results, Half half, bool first, std::uint16_t* sums) {
-  auto sum = first ? hn::Zero(d16) : hn::LoadU(d16, sums);
-  for (int k = 0; k < kPaths; ++k) sum = hn::Add(sum, hn::PromoteTo(d16, half(results[k])));
-  hn::StoreU(sum, d16, sums);
+  const auto two =
+      hn::Add(hn::PromoteTo(d16, half(results[0])), hn::PromoteTo(d16, half(results[1])));
+  const auto three = hn::Add(two, hn::PromoteTo(d16, half(results[2])));
+  hn::StoreU(first ? three : hn::Add(three, hn::LoadU(d16, sums)), d16, sums);
 }
 
-template <int kPaths>
 HWY_INLINE void AddToSums(const V8* results, std::uint16_t* sums, bool first) {
 #if HWY_TARGET == HWY_SCALAR
   const hn::Rebind<std::uint16_t, D8> d16;
-  AddHalf<kPaths>(
+  AddHalf(
       d16, results, [](V8 v) HWY_ATTR { return v; }, first, sums);
 #else
   const hn::Repartition<std::uint16_t, D8> d16;
   const hn::Half<D8> half8;
-  AddHalf<kPaths>(
+  AddHalf(
       d16, results, [=](V8 v) HWY_ATTR { return hn::LowerHalf(half8, v); }, first, sums);
-  AddHalf<kPaths>(
+  AddHalf(
       d16, results, [=](V8 v) HWY_ATTR { return hn::UpperHalf(half8, v); }, first,
       sums + hn::Lanes(d16));
 #endif
 }
 
-/// Directions kFirst .. kFirst + kPaths - 1; direction k comes from x - 1 + k.
-template <int kFirst, int kPaths>
-HWY_INLINE void Sweep(const SweepStep& s) {
+/// Behind the last position paths start anew.
+void CloseLine(const SweepStep& s, const PathLine& here) {
+  here.smallest[s.width] = 0;
+  for (int d = 0; d < s.disparities; ++d) here.costs[d * s.stride + s.width] = 0;
+}
+
+void SweepThree(const SweepStep& s, const ThreePaths& p) {
   const D8 d8;
   const V8 small_penalty = hn::Set(d8, static_cast<std::uint8_t>(s.small_penalty));
   const V8 large_penalty = hn::Set(d8, static_cast<std::uint8_t>(s.large_penalty));
   const int step = static_cast<int>(hn::Lanes(d8));
   for (int x = 0; x < s.width; x += step) {
-    Path paths[kPaths];
-    V8 results[kPaths];
-    for (int k = 0; k < kPaths; ++k) {
-      const auto direction = static_cast<std::size_t>(kFirst + k);
-      paths[k].Start(s.before[direction], s.here[direction], x, kFirst + k - 1, large_penalty);
+    Path paths[3];
+    V8 results[3];
+    HWY_UNROLL(3)
+    for (int k = 0; k < 3; ++k) {
+      const auto direction = static_cast<std::size_t>(k);
+      paths[k].Start(p.before[direction], p.here[direction], x, k - 1, large_penalty);
     }
     for (int d = 0; d < s.disparities; ++d) {
       const V8 cost = hn::LoadU(d8, s.costs + d * s.stride + x);
       const bool last = d + 1 == s.disparities;
-      for (int k = 0; k < kPaths; ++k) {
+      HWY_UNROLL(3)
+      for (int k = 0; k < 3; ++k) {
         const V8 above =
             last ? hn::Set(d8, 255) : hn::LoadU(d8, paths[k].from + (d + 1) * s.stride);
         results[k] = paths[k].Next(cost, above, small_penalty);
         hn::StoreU(results[k], d8, paths[k].to + d * s.stride);
       }
-      AddToSums<kPaths>(results, s.sums + d * s.sum_stride + x, s.first);
+      AddToSums(results, p.sums + d * p.sum_stride + x, p.first);
     }
-    for (int k = 0; k < kPaths; ++k) {
-      hn::StoreU(paths[k].smallest, d8, s.here[static_cast<std::size_t>(kFirst + k)].smallest + x);
+    HWY_UNROLL(3)
+    for (int k = 0; k < 3; ++k) {
+      hn::StoreU(paths[k].smallest, d8, p.here[static_cast<std::size_t>(k)].smallest + x);
     }
   }
-  // Behind the last position paths start anew.
-  for (int k = kFirst; k < kFirst + kPaths; ++k) {
-    const PathLine& here = s.here[static_cast<std::size_t>(k)];
-    here.smallest[s.width] = 0;
-    for (int d = 0; d < s.disparities; ++d) here.costs[d * s.stride + s.width] = 0;
+  for (const PathLine& here : p.here) CloseLine(s, here);
+}
+
+void SweepStraight(const SweepStep& s, const StraightPath& p) {
+  const D8 d8;
+  const V8 small_penalty = hn::Set(d8, static_cast<std::uint8_t>(s.small_penalty));
+  const V8 large_penalty = hn::Set(d8, static_cast<std::uint8_t>(s.large_penalty));
+  const int step = static_cast<int>(hn::Lanes(d8));
+  for (int x = 0; x < s.width; x += step) {
+    Path path;
+    path.Start(p.before, p.here, x, 0, large_penalty);
+    for (int d = 0; d < s.disparities; ++d) {
+      const V8 cost = hn::LoadU(d8, s.costs + d * s.stride + x);
+      const bool last = d + 1 == s.disparities;
+      const V8 above = last ? hn::Set(d8, 255) : hn::LoadU(d8, path.from + (d + 1) * s.stride);
+      const V8 result = path.Next(cost, above, small_penalty);
+      hn::StoreU(result, d8, path.to + d * s.stride);
+      if (p.average != nullptr) {
+        std::uint8_t* average = p.average + d * s.stride + x;
+        hn::StoreU(hn::AverageRound(result, hn::LoadU(d8, average)), d8, average);
+      }
+    }
+    hn::StoreU(path.smallest, d8, p.here.smallest + x);
   }
 }
 
-void SweepThree(const SweepStep& step) {
-  Sweep<0, 3>(step);
+#if HWY_TARGET != HWY_SCALAR
+/// 16x16 bytes; writes the first `count` columns as rows.
+HWY_INLINE void TurnBlock(const std::uint8_t* const* from, int count, std::uint8_t* HWY_RESTRICT to,
+                          std::ptrdiff_t to_line) {
+  const hn::CappedTag<std::uint8_t, 16> d8;
+  hn::Vec<decltype(d8)> rows[16], shuffled[16];
+  HWY_UNROLL(16)
+  for (int k = 0; k < 16; ++k) rows[k] = hn::LoadU(d8, from[k]);
+  // Four perfect shuffles transpose.
+  HWY_UNROLL(4)
+  for (int round = 0; round < 4; ++round) {
+    HWY_UNROLL(8)
+    for (int k = 0; k < 8; ++k) {
+      shuffled[2 * k] = hn::InterleaveLower(d8, rows[k], rows[k + 8]);
+      shuffled[2 * k + 1] = hn::InterleaveUpper(d8, rows[k], rows[k + 8]);
+    }
+    HWY_UNROLL(16)
+    for (int k = 0; k < 16; ++k) rows[k] = shuffled[k];
+  }
+  for (int k = 0; k < count; ++k) hn::StoreU(rows[k], d8, to + k * to_line);
 }
-void SweepStraight(const SweepStep& step) {
-  Sweep<1, 1>(step);
+#endif
+
+/// [row][disparity][column] to [column][disparity][row], or back, in blocks of 16x16.
+void Turn(const std::uint8_t* HWY_RESTRICT from, std::ptrdiff_t from_line, int from_stride,
+          std::uint8_t* HWY_RESTRICT to, std::ptrdiff_t to_line, int to_stride,
+          const TurnShape& shape) {
+#if HWY_TARGET == HWY_SCALAR
+  for (int y = 0; y < shape.lines; ++y) {
+    for (int d = 0; d < shape.disparities; ++d) {
+      for (int x = 0; x < shape.width; ++x) {
+        to[x * to_line + d * to_stride + y] = from[y * from_line + d * from_stride + x];
+      }
+    }
+  }
+#else
+  // 64 lines at a time: whole cache lines are written, and what is read stays in the cache.
+  for (int block = 0; block < shape.lines; block += 64) {
+    for (int d = 0; d < shape.disparities; ++d) {
+      for (int x = 0; x < shape.width; x += 16) {
+        for (int y = block; y < HWY_MIN(block + 64, shape.lines); y += 16) {
+          // Beyond the last line the last one is read again; what it gives is never used.
+          const std::uint8_t* rows[16];
+          HWY_UNROLL(16)
+          for (int k = 0; k < 16; ++k) {
+            rows[k] = from + HWY_MIN(y + k, shape.lines - 1) * from_line + d * from_stride + x;
+          }
+          TurnBlock(rows, HWY_MIN(16, shape.width - x), to + x * to_line + d * to_stride + y,
+                    to_line);
+        }
+      }
+    }
+  }
+#endif
 }
 
 }  // namespace striate::stereo_kernels::HWY_NAMESPACE
@@ -122,12 +196,21 @@ namespace striate::stereo_kernels {
 
 HWY_EXPORT(SweepThree);
 HWY_EXPORT(SweepStraight);
+HWY_EXPORT(Turn);
 
-void sweep_three(const SweepStep& step) {
-  HWY_DYNAMIC_DISPATCH(SweepThree)(step);
+void sweep_three(const SweepStep& step, const ThreePaths& paths) {
+  HWY_DYNAMIC_DISPATCH(SweepThree)(step, paths);
 }
-void sweep_straight(const SweepStep& step) {
-  HWY_DYNAMIC_DISPATCH(SweepStraight)(step);
+
+void sweep_straight(const SweepStep& step, const StraightPath& path) {
+  HWY_DYNAMIC_DISPATCH(SweepStraight)(step, path);
+}
+
+void turn(const Volume<std::uint8_t>& from, const TurnShape& shape, Volume<std::uint8_t>& to) {
+  const std::ptrdiff_t from_line = std::ptrdiff_t{from.stride()} * (from.disparities + 1);
+  const std::ptrdiff_t to_line = std::ptrdiff_t{to.stride()} * (to.disparities + 1);
+  HWY_DYNAMIC_DISPATCH(Turn)
+  (from.line(0), from_line, from.stride(), to.line(0), to_line, to.stride(), shape);
 }
 
 }  // namespace striate::stereo_kernels

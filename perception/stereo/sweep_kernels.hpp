@@ -3,6 +3,8 @@
 #include <array>
 #include <cstdint>
 
+#include "perception/stereo/volume.hpp"
+
 /// One step of semi-global matching's dynamic programming (Hirschmueller 2008, equation 13);
 /// vector code, dispatched at run time, integer. Lanes are the positions along one picture line;
 /// paths come from the line before, straight or by one position askew.
@@ -15,25 +17,41 @@ struct PathLine {
   std::uint8_t* smallest = nullptr;
 };
 
-/// Directions that are swept together: they come from x - 1, x and x + 1 of the line before.
+/// One line of the picture. All arrays are [disparity][position].
 struct SweepStep {
-  const std::uint8_t* costs = nullptr;  ///< matching costs of this line, [d][x]
-  std::array<PathLine, 3> before;       ///< of the line before; null: not swept
-  std::array<PathLine, 3> here;
-  std::uint16_t* sums = nullptr;  ///< [d][x]; path costs are added, or stored when `first`
-  bool first = false;
-  int stride = 0;      ///< elements between disparities, in the costs and the paths
-  int sum_stride = 0;  ///< in the sums
+  const std::uint8_t* costs = nullptr;  ///< matching costs of this line
+  int stride = 0;                       ///< between disparities, in costs and paths
   int width = 0;
   int disparities = 0;
   int small_penalty = 0;
   int large_penalty = 0;
 };
 
-/// All three directions; `before` of each must be given.
-void sweep_three(const SweepStep& step);
+/// The three directions that come from x - 1, x and x + 1 of the line before.
+struct ThreePaths {
+  std::array<PathLine, 3> before, here;
+  std::uint16_t* sums = nullptr;  ///< the three path costs are added, or stored when `first`
+  int sum_stride = 0;
+  bool first = false;
+};
+void sweep_three(const SweepStep& step, const ThreePaths& paths);
 
-/// The straight direction only (before[1], here[1]).
-void sweep_straight(const SweepStep& step);
+/// The straight direction only.
+struct StraightPath {
+  PathLine before, here;
+  /// Not null: gets the mean (rounded up) of itself and the path costs of this line.
+  std::uint8_t* average = nullptr;
+};
+void sweep_straight(const SweepStep& step, const StraightPath& path);
+
+/// How much of a volume is turned.
+struct TurnShape {
+  int lines = 0;
+  int width = 0;
+  int disparities = 0;
+};
+
+/// to[x][d][y] = from[y][d][x]; `to` has been given its size.
+void turn(const Volume<std::uint8_t>& from, const TurnShape& shape, Volume<std::uint8_t>& to);
 
 }  // namespace striate::stereo_kernels

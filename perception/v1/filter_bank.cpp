@@ -34,17 +34,42 @@ Eigen::MatrixXd envelope(const V1Settings& s, double theta, int radius) {
   return result;
 }
 
+/// Sum of the even kernel as the model has it, mean kept.
+double exact_even_sum(const V1Settings& s, int orientation, int radius) {
+  const double theta = orientation * std::numbers::pi / kOrientations;
+  const Eigen::MatrixXd full = envelope(s, theta, radius);
+  double sum = 0.0;
+  for (int y = -radius; y <= radius; ++y) {
+    for (int x = -radius; x <= radius; ++x) {
+      const double along = x * std::cos(theta) + y * std::sin(theta);
+      sum +=
+          full(y + radius, x + radius) * std::cos(2.0 * std::numbers::pi * along / s.wavelength_px);
+    }
+  }
+  return sum;
+}
+
+/// Sum of the even kernel that the products make.
+double even_sum(const std::vector<RealProduct>& products) {
+  double sum = 0.0;
+  for (const RealProduct& p : products) sum += p.row.sum() * p.even.sum();
+  return sum;
+}
+
 /// The envelope's singular vectors times the carrier's cosine and sine along x and along y.
 RealPair decompose(const V1Settings& s, int orientation, int radius) {
+  const Eigen::Index side = 2 * radius + 1;
   const double theta = orientation * std::numbers::pi / kOrientations;
   const double omega = 2.0 * std::numbers::pi / s.wavelength_px;
   const Eigen::MatrixXd full = envelope(s, theta, radius);
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(full, Eigen::ComputeThinU | Eigen::ComputeThinV);
   const Eigen::VectorXd index =
-      Eigen::VectorXd::LinSpaced(2 * radius + 1, -static_cast<double>(radius), radius);
+      Eigen::VectorXd::LinSpaced(side, -static_cast<double>(radius), radius);
   const Eigen::ArrayXd phase_x = index.array() * omega * std::cos(theta);
   const Eigen::ArrayXd phase_y = index.array() * omega * std::sin(theta);
+  const Eigen::VectorXd nothing = Eigen::VectorXd::Zero(side);
   RealPair pair{orientation, {}};
+  std::vector<RealProduct> envelopes;
   for (int k = 0; k < FilterBank::kRank; ++k) {
     const double size = svd.singularValues()(k);
     if (size < 1e-6 * svd.singularValues()(0)) break;
@@ -60,6 +85,15 @@ RealPair decompose(const V1Settings& s, int orientation, int radius) {
     pair.products.push_back({cos_x, cos_y, sin_y, even ? 0 : 1});
     if (orientation != kOrientations / 2) {
       pair.products.push_back({sin_x, -sin_y, cos_y, even ? 1 : 0});
+    }
+    envelopes.push_back({v, u, nothing, even ? 0 : 1});
+  }
+  if (s.even_mean == EvenMean::envelope) {
+    // The share of the envelope that makes the even kernel's sum zero.
+    const double share = even_sum(pair.products) / even_sum(envelopes);
+    for (RealProduct& p : envelopes) {
+      p.even *= -share;
+      pair.products.push_back(std::move(p));
     }
   }
   return pair;
@@ -120,20 +154,24 @@ FilterBank::Pair quantise(const RealPair& real, double gain, const V1Settings& s
   pair.orientation = real.orientation;
   const bool on_axis = real.orientation == 0 || real.orientation == kOrientations / 2;
   pair.mirrored = on_axis ? -1 : kOrientations - real.orientation;
-  double even_sum = 0.0;  // of the quantised even kernel, as it reaches the column accumulator
+  double sum_reached = 0.0;  // of the quantised even kernel, as it reaches the accumulator
   for (const RealProduct& p : real.products) {
     FilterBank::Product product{quantise(p.row, row_scale(p)),
                                 quantise(p.even, gain * column_scale(p)),
                                 quantise(p.odd, gain * column_scale(p)), p.slot};
     // Only slot 0 has a sum: in slot 1 one of the two filters is antisymmetric.
-    even_sum += sum(product.row) * sum(product.column_even) / (1 << FilterBank::kRowShift);
+    sum_reached += sum(product.row) * sum(product.column_even) / (1 << FilterBank::kRowShift);
     pair.products.push_back(std::move(product));
   }
-  if (s.remove_mean) {
-    pair.box_factor = static_cast<std::int32_t>(std::lround(even_sum / (side * side)));
-  } else {
-    pair.offset = static_cast<std::int32_t>(std::lround(128.0 * even_sum));
+  if (s.even_mean == EvenMean::envelope) return pair;
+  double sum_wanted = 0.0;
+  if (s.even_mean == EvenMean::kept) {
+    sum_wanted =
+        exact_even_sum(s, real.orientation, side / 2) * gain * (1 << FilterBank::kColumnShift);
+    pair.offset = static_cast<std::int32_t>(std::lround(128.0 * sum_wanted));
   }
+  pair.box_factor =
+      static_cast<std::int32_t>(std::lround((sum_reached - sum_wanted) / (side * side)));
   return pair;
 }
 

@@ -38,7 +38,7 @@ struct FilterBank {
     int mirrored = -1;  ///< its partner; -1: none
     std::vector<Product> products;
     std::int32_t offset = 0;      ///< added to the even sum: what x = grey - 128 took away
-    std::int32_t box_factor = 0;  ///< removes the even kernel's mean
+    std::int32_t box_factor = 0;  ///< removes the even kernel's mean, or what rank 3 did to it
   };
 
   int radius = 0;      ///< of all taps; at most that of the support, less where taps are zero

@@ -167,7 +167,7 @@ void V1Cells::respond(const cv::Mat1b& grey, int margin, bool simple_cells, V1Re
     }
   }
   take_picture(grey);
-  if (settings_.remove_mean) sum_boxes(grey);
+  if (settings_.even_mean != EvenMean::envelope) sum_boxes(grey);
   for (std::size_t k = 0; k < bank_.pairs.size(); ++k) respond_pair(k, simple_cells, out);
   for (Plane<std::int16_t>& plane : out.code) continue_beyond_border(plane);
 }

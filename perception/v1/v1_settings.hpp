@@ -6,6 +6,14 @@ namespace striate {
 
 inline constexpr int kOrientations = 8;  ///< theta_i = i * pi / 8
 
+/// What is done about the even kernel's response to a uniform surface.
+enum class EvenMean {
+  kept,      ///< nothing
+  flat,      ///< the kernel's mean is subtracted everywhere on its support (the paper's model)
+  envelope,  ///< what is subtracted has the envelope's shape (a Morlet wavelet): nothing far away
+             ///< leaks into the response, which matters for narrow envelopes. Ours.
+};
+
 /// The Gabor model of V1 simple cells (Rodrigues and du Buf 2006):
 ///   x' = x cos theta + y sin theta, y' = y cos theta - x sin theta
 ///   G(x, y) = exp(-(x'^2 + gamma y'^2) / (2 sigma^2)) cos(2 pi x' / lambda + phi)
@@ -15,7 +23,7 @@ struct V1Settings {
   double wavelength_px = 4.0;
   double sigma_factor = 0.56;  ///< sigma = sigma_factor * lambda
   double gamma = 0.5;          ///< multiplies y'^2 directly: sigma_y = sigma / sqrt(gamma)
-  bool remove_mean = true;     ///< subtract the even kernel's mean over its support
+  EvenMean even_mean = EvenMean::flat;
 };
 
 template <class V>
@@ -24,7 +32,8 @@ void visit(V& v, V1Settings& s) {
   v.number("wavelength", s.wavelength_px, Unit::pixels, {3.0, 12.0}, "of the Gabor carrier");
   v.number("sigma_factor", s.sigma_factor, Unit::none, {0.2, 1.0}, "envelope sigma / wavelength");
   v.number("gamma", s.gamma, Unit::none, {0.25, 2.0}, "shape of the envelope: factor of y'^2");
-  v.flag("remove_mean", s.remove_mean, "even cells do not respond to a uniform surface");
+  v.choice("even_mean", s.even_mean, {"kept", "flat", "envelope"},
+           "how the even kernel's mean is subtracted");
 }
 
 /// Side of the square support of a kernel: 5 lambda, made odd; radius = side / 2.

@@ -15,6 +15,13 @@ using config::MapReader;
 using config::Node;
 using config::Unit;
 
+/// Things may wear pictures and surfaces alike.
+std::vector<std::string> all_names() {
+  std::vector<std::string> names = picture_names();
+  for (std::string& name : surface_names()) names.push_back(std::move(name));
+  return names;
+}
+
 /// A thing may stand flush with a wall (up to 1 cm in it), but not through it.
 void check_between_walls(WorldEntry& entry, const World& world, const WorldObstacle& obstacle) {
   if (!entry.sound()) return;
@@ -50,7 +57,7 @@ void read_obstacle(const Node& node, World& world, config::Mistakes& mistakes) {
   entry.map().text("image", obstacle.image);
   entry.finish();
   entry.check_inside("at", obstacle.at);
-  if (!obstacle.image.empty()) entry.check_image("image", obstacle.image);
+  if (!obstacle.image.empty()) entry.check_image("image", obstacle.image, all_names());
   if (!entry.sound()) return;
   if (obstacle.name.empty()) {
     int number = 1;
@@ -88,7 +95,7 @@ void read_object(const Node& node, World& world, config::Mistakes& mistakes) {
     entry.add("at", fmt::format("{} above the floor is not within the corridor",
                                 metres(object.height_m)));
   }
-  if (!object.image.empty()) entry.check_image("image", object.image);
+  if (!object.image.empty()) entry.check_image("image", object.image, all_names());
   for (const WorldObject& other : world.objects) {
     if (entry.sound() && other.name == object.name) {
       entry.add("name", fmt::format("another object is called '{}'", other.name));

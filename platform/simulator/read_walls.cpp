@@ -13,17 +13,6 @@ using config::MapReader;
 using config::Node;
 using config::Unit;
 
-/// A material is a shipped one or an image file.
-void check_material(WorldEntry& entry, const std::string& key, std::string& material,
-                    const std::vector<std::string>& shipped) {
-  if (!entry.sound()) return;
-  if (material.find_first_of("./") != std::string::npos) {
-    entry.check_image(key, material);
-  } else if (std::find(shipped.begin(), shipped.end(), material) == shipped.end()) {
-    entry.add(key, fmt::format("unknown material '{}'", material), suggestion(material, shipped));
-  }
-}
-
 void read_stretch(const Node& node, World& world, config::Mistakes& mistakes) {
   WorldEntry entry(node, "a wall", world, mistakes);
   WallStretch wall;
@@ -31,7 +20,7 @@ void read_stretch(const Node& node, World& world, config::Mistakes& mistakes) {
   entry.require_stretch(wall.from_m, wall.to_m);
   if (entry.map().require("material")) entry.map().text("material", wall.material);
   entry.finish();
-  check_material(entry, "material", wall.material, wall_materials());
+  entry.check_image("material", wall.material, surface_names());
   if (entry.sound()) world.walls.push_back(wall);
 }
 
@@ -116,23 +105,23 @@ void read_poster(const Node& node, World& world, config::Mistakes& mistakes) {
               fmt::format("'height' is that of its middle; the corridor is {} high",
                           metres(world.height_m)));
   }
-  check_material(entry, "image", poster.image, shipped_pictures());
+  entry.check_image("image", poster.image, picture_names());
   if (entry.sound()) world.posters.push_back(poster);
 }
 
 void read_surface(MapReader& root, const std::string& key, std::string& material,
-                  const std::vector<std::string>& shipped, const World& world) {
+                  const World& world) {
   if (!root.text(key, material)) return;
   WorldEntry entry(root.node(), "the world", world, root.mistakes());
-  check_material(entry, key, material, shipped);
+  entry.check_image(key, material, surface_names());
 }
 
 }  // namespace
 
 void read_walls(MapReader& root, World& world) {
   config::Mistakes& mistakes = root.mistakes();
-  read_surface(root, "wall_material", world.wall_material, wall_materials(), world);
-  read_surface(root, "floor_material", world.floor_material, floor_materials(), world);
+  read_surface(root, "wall_material", world.wall_material, world);
+  read_surface(root, "floor_material", world.floor_material, world);
   for_each_entry(root, "walls", [&](const Node& node) { read_stretch(node, world, mistakes); });
   for_each_entry(root, "doors", [&](const Node& node) { read_door(node, world, mistakes); });
   for_each_entry(root, "windows", [&](const Node& node) { read_window(node, world, mistakes); });

@@ -19,10 +19,48 @@ bool inside_convex(Point2 p, const std::vector<Point2>& corners) {
   return true;
 }
 
-double segment_distance_m(Point2 a, Point2 b, Point2 c, Point2 d) {
+double squared_m2(Point2 a, Point2 b) {
+  const double dx = a.x_m - b.x_m;
+  const double dy = a.y_m - b.y_m;
+  return dx * dx + dy * dy;
+}
+
+double squared_to_segment_m2(Point2 p, Point2 from, Point2 to) {
+  return squared_m2(p, nearest_on_segment(p, from, to));
+}
+
+double squared_between_m2(Point2 a, Point2 b, Point2 c, Point2 d) {
   if (segments_cross(a, b, c, d)) return 0.0;
-  return std::min({distance_to_segment_m(a, c, d), distance_to_segment_m(b, c, d),
-                   distance_to_segment_m(c, a, b), distance_to_segment_m(d, a, b)});
+  return std::min({squared_to_segment_m2(a, c, d), squared_to_segment_m2(b, c, d),
+                   squared_to_segment_m2(c, a, b), squared_to_segment_m2(d, a, b)});
+}
+
+/// A rounded line has one side, a polygon as many as corners.
+std::size_t sides_of(const std::vector<Point2>& corners) {
+  return corners.size() == 2 ? 1 : corners.size();
+}
+
+/// From a point to the outline of a shape.
+double squared_to_outline_m2(Point2 p, const std::vector<Point2>& corners) {
+  double nearest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < sides_of(corners); ++i) {
+    nearest =
+        std::min(nearest, squared_to_segment_m2(p, corners[i], corners[(i + 1) % corners.size()]));
+  }
+  return nearest;
+}
+
+double squared_between_outlines_m2(const std::vector<Point2>& a, const std::vector<Point2>& b) {
+  if (a.size() == 1) return squared_to_outline_m2(a[0], b);
+  if (b.size() == 1) return squared_to_outline_m2(b[0], a);
+  double nearest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < sides_of(a); ++i) {
+    for (std::size_t j = 0; j < sides_of(b); ++j) {
+      nearest = std::min(
+          nearest, squared_between_m2(a[i], a[(i + 1) % a.size()], b[j], b[(j + 1) % b.size()]));
+    }
+  }
+  return nearest;
 }
 
 }  // namespace
@@ -113,15 +151,8 @@ double distance_m(const ConvexShape& a, const ConvexShape& b) {
   if (inside_convex(b.corners.front(), a.corners) || inside_convex(a.corners.front(), b.corners)) {
     return 0.0;
   }
-  double nearest = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < a.corners.size(); ++i) {
-    for (std::size_t j = 0; j < b.corners.size(); ++j) {
-      nearest = std::min(nearest,
-                         segment_distance_m(a.corners[i], a.corners[(i + 1) % a.corners.size()],
-                                            b.corners[j], b.corners[(j + 1) % b.corners.size()]));
-    }
-  }
-  return std::max(0.0, nearest - a.radius_m - b.radius_m);
+  const double apart = std::sqrt(squared_between_outlines_m2(a.corners, b.corners));
+  return std::max(0.0, apart - a.radius_m - b.radius_m);
 }
 
 }  // namespace striate::simulator

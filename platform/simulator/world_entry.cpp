@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <opencv2/imgcodecs.hpp>
 
 #include "platform/simulator/corridor_width.hpp"
+#include "platform/simulator/world_names.hpp"
 
 namespace striate::simulator {
 
@@ -77,16 +79,23 @@ void WorldEntry::check_inside(const std::string& key, Point2 at, double radius_m
   }
 }
 
-void WorldEntry::check_image(const std::string& key, std::string& image) {
-  if (!sound() || image.find_first_of("./") == std::string::npos) return;
-  const std::filesystem::path path =
-      std::filesystem::path(world_.file).parent_path() / std::filesystem::path(image);
-  if (!std::filesystem::is_regular_file(path)) {
-    add(key, fmt::format("there is no file '{}'", path.lexically_normal().string()),
-        "the path counts from the world file's folder");
+void WorldEntry::check_image(const std::string& key, std::string& image,
+                             const std::vector<std::string>& shipped) {
+  if (!sound() || std::find(shipped.begin(), shipped.end(), image) != shipped.end()) return;
+  if (image.find_first_of("./") == std::string::npos) {
+    add(key, fmt::format("nothing that ships is called '{}'", image), suggestion(image, shipped));
     return;
   }
-  image = path.lexically_normal().string();
+  const std::filesystem::path path =
+      std::filesystem::path(world_.file).parent_path() / std::filesystem::path(image);
+  const std::string file = path.lexically_normal().string();
+  if (!std::filesystem::is_regular_file(path)) {
+    add(key, fmt::format("there is no file '{}'", file),
+        "the path counts from the world file's folder");
+  } else if (!cv::haveImageReader(file)) {
+    add(key, fmt::format("'{}' is no picture that can be read", file), "use PNG or JPEG");
+  }
+  image = file;
 }
 
 }  // namespace striate::simulator

@@ -28,8 +28,9 @@ class WorldEntry {
   void check_along(const std::string& key, double along_m);
   /// Says so where a disc of `radius_m` does not stand free of the walls.
   void check_inside(const std::string& key, Point2 at, double radius_m = 0.0);
-  /// Checks that an image or material is shipped or is a file, and completes the file's path.
-  void check_image(const std::string& key, std::string& image);
+  /// Checks that `image` is one of the shipped names or a readable file, whose path it completes.
+  void check_image(const std::string& key, std::string& image,
+                   const std::vector<std::string>& shipped);
   /// Reads the rest: unknown keys.
   void finish() { map_.finish(); }
 

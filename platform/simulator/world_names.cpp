@@ -3,21 +3,19 @@
 #include <fmt/ranges.h>
 
 #include "config/quantity.hpp"
+#include "platform/simulator/render/paint.hpp"
 
 namespace striate::simulator {
 
-const std::vector<std::string>& wall_materials() {
-  static const std::vector<std::string> names{"plaster", "blank_plaster", "brick"};
+std::vector<std::string> surface_names() {
+  std::vector<std::string> names;
+  for (const render::Surface& surface : render::surfaces()) names.push_back(surface.name);
   return names;
 }
 
-const std::vector<std::string>& floor_materials() {
-  static const std::vector<std::string> names{"linoleum"};
-  return names;
-}
-
-const std::vector<std::string>& shipped_pictures() {
-  static const std::vector<std::string> names{"poster_fish"};
+std::vector<std::string> picture_names() {
+  std::vector<std::string> names;
+  for (const render::Picture& picture : render::pictures()) names.push_back(picture.name);
   return names;
 }
 
@@ -34,6 +32,7 @@ const std::vector<std::string>& object_kinds() {
 
 std::string suggestion(const std::string& wrong, const std::vector<std::string>& names) {
   std::string near = config::suggest(wrong, names);
+  if (near.empty() && names.size() > 20) return "the README of config/worlds lists the names";
   return near.empty() ? fmt::format("there are: {}", fmt::join(names, ", ")) : near;
 }
 

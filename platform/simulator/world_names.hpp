@@ -6,9 +6,10 @@
 /// The names that a world file may use for what ships with the program.
 namespace striate::simulator {
 
-[[nodiscard]] const std::vector<std::string>& wall_materials();
-[[nodiscard]] const std::vector<std::string>& floor_materials();
-[[nodiscard]] const std::vector<std::string>& shipped_pictures();
+/// Surfaces that repeat: "plaster", "brick".
+[[nodiscard]] std::vector<std::string> surface_names();
+/// Pictures for posters, book covers and boxes: "poster_fish".
+[[nodiscard]] std::vector<std::string> picture_names();
 /// In the order of ObstacleKind.
 [[nodiscard]] const std::vector<std::string>& obstacle_kinds();
 [[nodiscard]] const std::vector<std::string>& object_kinds();

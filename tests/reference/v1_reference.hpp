@@ -23,17 +23,22 @@ inline GaborKernel gabor_kernel(const V1Settings& s, int orientation) {
   if (side % 2 == 0) ++side;
   const int radius = side / 2;
   GaborKernel kernel{cv::Mat1d(side, side), cv::Mat1d(side, side)};
+  cv::Mat1d envelope(side, side);
   for (int y = -radius; y <= radius; ++y) {
     for (int x = -radius; x <= radius; ++x) {
       const double xr = x * std::cos(theta) + y * std::sin(theta);
       const double yr = y * std::cos(theta) - x * std::sin(theta);
       const double g = std::exp(-(xr * xr + s.gamma * yr * yr) / (2.0 * sigma * sigma));
       const double phase = 2.0 * std::numbers::pi * xr / lambda;
+      envelope(y + radius, x + radius) = g;
       kernel.even(y + radius, x + radius) = g * std::cos(phase);
       kernel.odd(y + radius, x + radius) = g * std::cos(phase - std::numbers::pi / 2.0);
     }
   }
-  if (s.remove_mean) kernel.even -= cv::mean(kernel.even)[0];
+  if (s.even_mean == EvenMean::flat) kernel.even -= cv::mean(kernel.even)[0];
+  if (s.even_mean == EvenMean::envelope) {
+    kernel.even -= envelope * (cv::sum(kernel.even)[0] / cv::sum(envelope)[0]);
+  }
   return kernel;
 }
 

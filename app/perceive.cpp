@@ -1,0 +1,198 @@
+#include "app/perceive.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+#include <string>
+
+#include "app/perceive_files.hpp"
+#include "app/pictures/overview.hpp"
+#include "config/user_error.hpp"
+#include "perception/perception.hpp"
+
+namespace striate {
+namespace {
+
+namespace fs = std::filesystem;
+
+void check(const PerceiveOptions& o) {
+  if (o.left.empty()) throw UserError("perceive needs a picture: give it with --left FILE");
+  if (o.out.empty()) throw UserError("perceive needs a folder for its results: --out DIR");
+  if (o.setting != "paper" && o.setting != "robust") {
+    throw UserError(fmt::format("--setting {}: choose paper or robust", o.setting));
+  }
+  if (o.width_px < 32 || o.width_px > 640) {
+    throw UserError(fmt::format("--width {}: the working width must be 32 to 640 px", o.width_px));
+  }
+  if ((o.focal_px > 0.0) != (o.baseline_m > 0.0)) {
+    throw UserError("distances need both --focal-px and --baseline-m: give both or neither");
+  }
+  if (o.focal_px < 0.0 || o.baseline_m < 0.0) {
+    throw UserError("--focal-px and --baseline-m must be positive");
+  }
+  if (o.camera_height_m && (o.focal_px <= 0.0 || *o.camera_height_m <= 0.0)) {
+    throw UserError("--camera-height must be positive, and needs --focal-px and --baseline-m");
+  }
+}
+
+int candidates_for(const PerceiveOptions& o) {
+  if (o.candidates > 0) return o.candidates;
+  return std::clamp(150 * o.width_px / 160, 1, 256);
+}
+
+StereoFrame read_pair(const PerceiveOptions& o) {
+  StereoFrame frame;
+  frame.left = read_any_picture(o.left);
+  if (!o.right.empty()) frame.right = read_any_picture(o.right);
+  if (!o.right.empty() && frame.right.size() != frame.left.size()) {
+    throw UserError(fmt::format(
+        "{} is {} x {} but {} is {} x {}: left and right must be a rectified pair of one size",
+        o.left.string(), frame.left.cols, frame.left.rows, o.right.string(), frame.right.cols,
+        frame.right.rows));
+  }
+  frame.focal_px = o.focal_px;
+  frame.baseline_m = o.baseline_m;
+  frame.centre_u_px = o.centre_u_px.value_or(0.5 * (frame.left.cols - 1));
+  frame.centre_v_px = o.centre_v_px.value_or(0.5 * (frame.left.rows - 1));
+  frame.head.tilt_rad = radians(o.tilt_deg);
+  return frame;
+}
+
+/// Otsu's threshold: the split of the known disparities into near and far with the least spread
+/// inside both parts. Never below 2 px.
+double split_near_from_far(const cv::Mat1f& disparity_px) {
+  constexpr int kBins = 1024;
+  constexpr double kBin_px = 0.25;
+  constexpr double kOutliers = 0.02;
+  double left_out = 0.0;
+  std::vector<double> histogram(kBins, 0.0);
+  double total = 0.0;
+  double sum = 0.0;
+  for (const float d : disparity_px) {
+    if (!std::isfinite(d)) continue;
+    const int bin = std::min(kBins - 1, static_cast<int>(d / kBin_px));
+    histogram[bin] += 1.0;
+    total += 1.0;
+    sum += bin;
+  }
+  const double known = total;
+  for (int b = kBins - 1; b >= 0 && left_out < kOutliers * known; --b) {  // wrong matches lie there
+    left_out += histogram[b];
+    total -= histogram[b];
+    sum -= b * histogram[b];
+    histogram[b] = 0.0;
+  }
+  double below = 0.0;
+  double below_sum = 0.0;
+  double best = -1.0;
+  int split = 0;
+  for (int b = 0; b < kBins; ++b) {
+    below += histogram[b];
+    below_sum += b * histogram[b];
+    if (below <= 0.0 || below >= total) continue;
+    const double gap = below_sum / below - (sum - below_sum) / (total - below);
+    const double between = below * (total - below) * gap * gap;
+    if (between > best) {
+      best = between;
+      split = b;
+    }
+  }
+  return std::max(2.0, (split + 1) * kBin_px);
+}
+
+/// A camera so high that its floor is below everything: near blobs alone are obstacles.
+constexpr double kNoFloor_m = 1e9;
+
+struct Judged {
+  Percept percept;
+  RobotDescription robot;
+  ObstacleReport report;
+};
+
+/// Obstacles of a camera whose height above the floor nobody knows: the paper's near blobs.
+void find_near_blobs(const PerceiveOptions& o, const StereoFrame& frame, Judged& judged) {
+  Percept& percept = judged.percept;
+  judged.robot.camera_height_m = kNoFloor_m;
+  ObstacleSettings settings;
+  settings.paper_threshold_px =
+      o.near_px > 0.0 ? o.near_px : split_near_from_far(percept.disparity.disparity_px);
+  DisparityMap map = percept.disparity;
+  if (o.focal_px <= 0.0) {  // relative units: one baseline is 1, the view as wide as the robot's
+    map.focal_px = 203.0 / 160.0 * map.disparity_px.cols;
+    map.baseline_m = 1.0;
+    map.centre_u_px = 0.5 * (map.disparity_px.cols - 1);
+    map.centre_v_px = 0.5 * (map.disparity_px.rows - 1);
+    judged.report.unit = "baselines";
+  }
+  ObstacleView view = find_obstacles_as_in_paper(map, frame.head, judged.robot, settings);
+  percept.columns = std::move(view.columns);
+  percept.obstacles = std::move(view.obstacles);
+  for (Obstacle& obstacle : percept.obstacles) obstacle.height_m = 0.0;  // of unknown floor
+  percept.disparity.focal_px = map.focal_px;
+  percept.disparity.baseline_m = map.baseline_m;
+  judged.report.method = "near blobs: threshold on disparity (the paper's)";
+  judged.report.threshold_px = settings.paper_threshold_px;
+  judged.report.threshold_from = o.near_px > 0.0 ? "given" : "the picture (Otsu)";
+}
+
+Judged judge(const PerceiveOptions& o, const StereoFrame& frame) {
+  PerceptionSettings settings;
+  settings.stereo.setting = o.setting == "paper" ? StereoSetting::paper : StereoSetting::robust;
+  settings.stereo.width = o.width_px;
+  settings.stereo.candidates = candidates_for(o);
+  Judged judged;
+  if (o.camera_height_m) judged.robot.camera_height_m = *o.camera_height_m;
+  judged.percept = Perception(settings, judged.robot).see(frame);
+  judged.report.unit = "m";
+  judged.report.floor_known = o.camera_height_m.has_value();
+  if (frame.right.empty()) {
+    judged.report.method = "none: one picture only";
+  } else if (o.camera_height_m) {
+    judged.report.method = o.setting == "paper" ? "near blobs: threshold on disparity (the paper's)"
+                                                : "floor line and column scan";
+  } else {
+    judged.percept.corridor = {};
+    find_near_blobs(o, frame, judged);
+  }
+  return judged;
+}
+
+double reach_of(const Judged& judged) {
+  if (judged.report.floor_known) return 6.0;
+  double farthest = 1.0;
+  for (const Column& c : judged.percept.columns) {
+    farthest = std::max(farthest, c.free_to_m);
+  }
+  return 1.2 * farthest;
+}
+
+}  // namespace
+
+int perceive(const PerceiveOptions& options) {
+  check(options);
+  StereoFrame frame = read_pair(options);
+  make_folder(options.out);
+  const Judged judged = judge(options, frame);
+  const Percept& percept = judged.percept;
+  if (!percept.disparity.disparity_px.empty()) {
+    write_pfm(options.out / "disparity.pfm", percept.disparity.disparity_px);
+    write_pfm(options.out / "confidence.pfm", percept.disparity.confidence);
+  }
+  write_text(options.out / "obstacles.json", obstacles_json(percept, options, judged.report));
+  write_text(options.out / "keypoints.json", keypoints_json(percept, frame.left.size()));
+  pictures::OverviewStyle style;
+  style.unit = judged.report.unit == "m" ? "m" : "bl";
+  style.plan_reach = reach_of(judged);
+  style.metric = judged.report.unit == "m";
+  write_picture(options.out / "saliency.png", saliency_picture(frame, percept));
+  write_picture(options.out / "overview.png",
+                pictures::draw_overview(frame, percept, judged.robot, style));
+  return 0;
+}
+
+}  // namespace striate

@@ -1,0 +1,199 @@
+#include "app/perceive_files.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+#include <stdexcept>
+
+#include "app/pictures/scene_pictures.hpp"
+#include "config/user_error.hpp"
+#include "platform/interface/geometry.hpp"
+
+namespace striate {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::ordered_json;
+
+constexpr int kSmallestPicture_px = 16;
+
+/// JSON has no infinity: what is not known or not there is null.
+ordered_json number(double value) {
+  if (!std::isfinite(value)) return nullptr;
+  return std::round(value * 1e5) / 1e5;
+}
+
+ordered_json column_json(const Column& c) {
+  const bool free = c.free_to_m > c.free_from_m;
+  return {{"bearing_deg", number(degrees(c.bearing_rad))},
+          {"free_from", free ? number(c.free_from_m) : ordered_json(nullptr)},
+          {"free_to", free ? number(c.free_to_m) : ordered_json(nullptr)},
+          {"free_confidence", number(c.free_confidence)},
+          {"obstacle", number(c.obstacle_m)},
+          {"obstacle_confidence", number(c.obstacle_confidence)}};
+}
+
+ordered_json obstacle_json(const Obstacle& o, bool floor_known) {
+  return {{"bearing_deg", number(degrees(o.bearing_rad))},
+          {"distance", number(o.distance_m)},
+          {"width", number(o.width_m)},
+          {"height", floor_known ? number(o.height_m) : ordered_json(nullptr)},
+          {"confidence", number(o.confidence)},
+          {"from_u_px", o.from_u_px},
+          {"to_u_px", o.to_u_px}};
+}
+
+std::string hex(const Descriptor& descriptor) {
+  std::string text;
+  for (const std::uint64_t word : descriptor.words) text += fmt::format("{:016x}", word);
+  return text;
+}
+
+}  // namespace
+
+cv::Mat3b read_any_picture(const fs::path& file) {
+  std::error_code error;
+  if (!fs::exists(file, error)) {
+    throw UserError(fmt::format("{}: no such file; give the path of a picture", file.string()));
+  }
+  if (fs::is_directory(file, error)) {
+    throw UserError(fmt::format("{}: is a folder; give the path of a picture", file.string()));
+  }
+  cv::Mat raw;
+  try {
+    raw = cv::imread(file.string(), cv::IMREAD_UNCHANGED);
+  } catch (const cv::Exception&) {
+    raw.release();
+  }
+  if (raw.empty()) {
+    throw UserError(fmt::format(
+        "{}: is no picture that can be read (PNG, JPEG, PGM/PPM, BMP, TIFF, WebP)", file.string()));
+  }
+  if (raw.depth() != CV_8U && raw.depth() != CV_16U) {
+    throw UserError(
+        fmt::format("{}: has floating-point pixels; 8 or 16 bit are needed", file.string()));
+  }
+  if (std::min(raw.rows, raw.cols) < kSmallestPicture_px) {
+    throw UserError(fmt::format("{}: is {} x {} px; at least {} x {} are needed", file.string(),
+                                raw.cols, raw.rows, kSmallestPicture_px, kSmallestPicture_px));
+  }
+  if (raw.depth() == CV_16U) raw.convertTo(raw, CV_8U, 1.0 / 257.0);
+  cv::Mat3b picture;
+  switch (raw.channels()) {
+    case 1:
+      cv::cvtColor(raw, picture, cv::COLOR_GRAY2BGR);
+      break;
+    case 3:
+      picture = raw;
+      break;
+    case 4:
+      cv::cvtColor(raw, picture, cv::COLOR_BGRA2BGR);
+      break;
+    default:
+      throw UserError(
+          fmt::format("{}: has {} channels; 1, 3 or 4 are needed", file.string(), raw.channels()));
+  }
+  return picture;
+}
+
+void make_folder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error || !fs::is_directory(folder)) {
+    throw UserError(fmt::format("--out {}: cannot be made a folder{}", folder.string(),
+                                error ? ": " + error.message() : ""));
+  }
+}
+
+void write_pfm(const fs::path& file, const cv::Mat1f& values) {
+  static_assert(std::endian::native == std::endian::little);
+  std::ofstream out(file, std::ios::binary);
+  out << "Pf\n" << values.cols << ' ' << values.rows << "\n-1.0\n";
+  for (int v = values.rows - 1; v >= 0; --v) {
+    out.write(reinterpret_cast<const char*>(values[v]),
+              static_cast<std::streamsize>(sizeof(float)) * values.cols);
+  }
+  if (!out.flush()) throw std::runtime_error(fmt::format("{}: cannot be written", file.string()));
+}
+
+void write_text(const fs::path& file, const std::string& text) {
+  std::ofstream out(file, std::ios::binary);
+  out << text;
+  if (!out.flush()) throw std::runtime_error(fmt::format("{}: cannot be written", file.string()));
+}
+
+void write_picture(const fs::path& file, const cv::Mat3b& picture) {
+  if (!cv::imwrite(file.string(), picture)) {
+    throw std::runtime_error(fmt::format("{}: cannot be written", file.string()));
+  }
+}
+
+std::string obstacles_json(const Percept& percept, const PerceiveOptions& options,
+                           const ObstacleReport& report) {
+  ordered_json json;
+  json["setting"] = options.setting;
+  json["method"] = report.method;
+  json["unit"] = report.unit;
+  if (report.unit != "m") {
+    json["note"] =
+        "focal length and baseline are unknown: lengths are in baselines, for a camera that sees "
+        "43 degrees";
+  }
+  if (!report.threshold_from.empty()) {
+    json["threshold_px"] = number(report.threshold_px);
+    json["threshold_from"] = report.threshold_from;
+  }
+  json["floor_known"] = report.floor_known;
+  json["working_width_px"] = options.width_px;
+  json["left"] = options.left.string();
+  json["right"] =
+      options.right.empty() ? ordered_json(nullptr) : ordered_json(options.right.string());
+  json["obstacles"] = ordered_json::array();
+  for (const Obstacle& o : percept.obstacles) {
+    json["obstacles"].push_back(obstacle_json(o, report.floor_known));
+  }
+  const CorridorView& corridor = percept.corridor;
+  if (corridor.valid) {
+    json["corridor"] = {{"heading_deg", number(degrees(corridor.heading_rad))},
+                        {"left", number(corridor.left_m)},
+                        {"right", number(corridor.right_m)},
+                        {"confidence", number(corridor.confidence)}};
+  } else {
+    json["corridor"] = nullptr;
+  }
+  json["columns"] = ordered_json::array();
+  for (const Column& c : percept.columns) json["columns"].push_back(column_json(c));
+  return json.dump(1) + "\n";
+}
+
+std::string keypoints_json(const Percept& percept, cv::Size picture) {
+  ordered_json json;
+  json["width_px"] = picture.width;
+  json["height_px"] = picture.height;
+  json["descriptor"] = "256 bits as hexadecimal words of 64, first word first";
+  json["keypoints"] = ordered_json::array();
+  for (const Keypoint& k : percept.keypoints) {
+    json["keypoints"].push_back({{"u_px", number(k.u_px)},
+                                 {"v_px", number(k.v_px)},
+                                 {"wavelength_px", number(k.wavelength_px)},
+                                 {"response", number(k.response)},
+                                 {"descriptor", hex(k.descriptor)}});
+  }
+  return json.dump(1) + "\n";
+}
+
+cv::Mat3b saliency_picture(const StereoFrame& frame, const Percept& percept) {
+  constexpr int kNarrowest_px = 640;
+  const double scale = std::max(1.0, static_cast<double>(kNarrowest_px) / frame.left.cols);
+  return pictures::draw_saliency(frame, percept,
+                                 {static_cast<int>(std::lround(frame.left.cols * scale)),
+                                  static_cast<int>(std::lround(frame.left.rows * scale))});
+}
+
+}  // namespace striate

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <filesystem>
+#include <opencv2/core/mat.hpp>
+#include <string>
+
+#include "app/perceive.hpp"
+#include "perception/percept.hpp"
+#include "platform/interface/senses.hpp"
+
+/// Reading any picture and writing what `striate perceive` found.
+namespace striate {
+
+/// How the obstacles of obstacles.json came about.
+struct ObstacleReport {
+  std::string method;
+  std::string unit;            ///< of every length: "m" or "baselines"
+  std::string threshold_from;  ///< empty where no threshold was used
+  double threshold_px = 0.0;
+  bool floor_known = false;
+};
+
+/// 8 or 16 bit, grey, colour, with or without alpha, as 8-bit BGR. Throws UserError.
+[[nodiscard]] cv::Mat3b read_any_picture(const std::filesystem::path& file);
+
+/// Makes the folder and those above it. Throws UserError where it cannot be one.
+void make_folder(const std::filesystem::path& folder);
+
+void write_pfm(const std::filesystem::path& file, const cv::Mat1f& values);
+void write_text(const std::filesystem::path& file, const std::string& text);
+void write_picture(const std::filesystem::path& file, const cv::Mat3b& picture);
+
+[[nodiscard]] std::string obstacles_json(const Percept& percept, const PerceiveOptions& options,
+                                         const ObstacleReport& report);
+[[nodiscard]] std::string keypoints_json(const Percept& percept, cv::Size picture);
+
+/// The heat map alone, at the picture's own size (at least 640 wide).
+[[nodiscard]] cv::Mat3b saliency_picture(const StereoFrame& frame, const Percept& percept);
+
+}  // namespace striate

@@ -1,0 +1,107 @@
+#include "app/pictures/plan_of_columns.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+
+#include "app/pictures/canvas.hpp"
+#include "platform/interface/geometry.hpp"
+
+namespace striate::pictures {
+namespace {
+
+constexpr int kFootRoom_px = 26;  // below the axle
+constexpr int kFraction = 4;      // bits of sub-pixel that OpenCV draws with
+
+class Plan {
+ public:
+  Plan(cv::Size size, const PlanScale& scale)
+      : picture(size, cv::Vec3b(38, 35, 33)),
+        foot_(0.5 * size.width, size.height - kFootRoom_px),
+        px_per_unit_((size.height - kFootRoom_px - 8) / scale.reach) {}
+
+  /// Robot frame to fixed-point picture coordinates.
+  [[nodiscard]] cv::Point at(double x, double y) const {
+    const double one = 1 << kFraction;
+    return {static_cast<int>(std::lround((foot_.x - y * px_per_unit_) * one)),
+            static_cast<int>(std::lround((foot_.y - x * px_per_unit_) * one))};
+  }
+  [[nodiscard]] cv::Point polar(double bearing_rad, double distance) const {
+    return at(distance * std::cos(bearing_rad), distance * std::sin(bearing_rad));
+  }
+  [[nodiscard]] cv::Point pixel(double x, double y) const {
+    const cv::Point p = at(x, y);
+    return {p.x >> kFraction, p.y >> kFraction};
+  }
+  [[nodiscard]] int pixels(double length) const {
+    return static_cast<int>(std::lround(length * px_per_unit_));
+  }
+
+  cv::Mat3b picture;
+
+ private:
+  cv::Point2d foot_;
+  double px_per_unit_;
+};
+
+void draw_rings(Plan& plan, const PlanScale& scale) {
+  for (double r = scale.ring; r < scale.reach + 1e-9; r += scale.ring) {
+    cv::circle(plan.picture, plan.pixel(0, 0), plan.pixels(r), {62, 58, 55}, 1, cv::LINE_AA);
+    const cv::Point top = plan.pixel(r, 0);
+    write(plan.picture, fmt::format("{:g} {}", r, scale.unit), {top.x + 4, top.y + 13}, kQuietInk,
+          0.75);
+  }
+}
+
+/// The wedge that column `i` stands for: half way to its neighbours.
+void draw_free(Plan& plan, const std::vector<Column>& columns, std::size_t i) {
+  const Column& c = columns[i];
+  if (c.free_to_m <= c.free_from_m) return;
+  const double left = i > 0 ? 0.5 * (columns[i - 1].bearing_rad + c.bearing_rad) : c.bearing_rad;
+  const double right =
+      i + 1 < columns.size() ? 0.5 * (columns[i + 1].bearing_rad + c.bearing_rad) : c.bearing_rad;
+  const std::vector<cv::Point> wedge{plan.polar(left, c.free_from_m), plan.polar(left, c.free_to_m),
+                                     plan.polar(right, c.free_to_m),
+                                     plan.polar(right, c.free_from_m)};
+  const double strength = 0.25 + 0.5 * c.free_confidence;
+  cv::fillConvexPoly(plan.picture, wedge, kFree * strength, cv::LINE_8, kFraction);
+}
+
+void draw_obstacle(Plan& plan, const Column& c) {
+  if (!std::isfinite(c.obstacle_m)) return;
+  const double strength = 0.35 + 0.65 * c.obstacle_confidence;
+  cv::circle(plan.picture, plan.polar(c.bearing_rad, c.obstacle_m), 2 << kFraction,
+             kBlocked * strength, cv::FILLED, cv::LINE_AA, kFraction);
+}
+
+void draw_corridor(Plan& plan, const CorridorView& corridor, double reach) {
+  if (!corridor.valid) return;
+  const double c = std::cos(corridor.heading_rad);
+  const double s = std::sin(corridor.heading_rad);
+  const auto wall = [&](double side_m, double from, int thickness) {
+    cv::line(plan.picture, plan.at(from * c - side_m * s, from * s + side_m * c),
+             plan.at(2 * reach * c - side_m * s, 2 * reach * s + side_m * c), kCorridor, thickness,
+             cv::LINE_AA, kFraction);
+  };
+  wall(0.0, 0.0, 1);
+  if (std::isfinite(corridor.left_m)) wall(corridor.left_m, -reach, 2);
+  if (std::isfinite(corridor.right_m)) wall(-corridor.right_m, -reach, 2);
+}
+
+}  // namespace
+
+cv::Mat3b draw_plan_of_columns(const Percept& percept, cv::Size size, const PlanScale& scale) {
+  Plan plan(size, scale);
+  for (std::size_t i = 0; i < percept.columns.size(); ++i) draw_free(plan, percept.columns, i);
+  draw_rings(plan, scale);
+  draw_corridor(plan, percept.corridor, scale.reach);
+  for (const Column& column : percept.columns) draw_obstacle(plan, column);
+  const int half = std::clamp(plan.pixels(0.21), 4, 14);
+  const cv::Point foot = plan.pixel(0, 0);
+  cv::circle(plan.picture, foot, half, kInk, cv::FILLED, cv::LINE_AA);
+  cv::line(plan.picture, foot, {foot.x, foot.y - half - 6}, kInk, 2, cv::LINE_AA);
+  return plan.picture;
+}
+
+}  // namespace striate::pictures

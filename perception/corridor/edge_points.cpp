@@ -1,0 +1,102 @@
+#include "perception/corridor/edge_points.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+
+namespace striate {
+namespace {
+
+constexpr float kLeastGradient = 0.8F;  // grey levels per px, below is no edge in any light
+constexpr float kOverMedian = 2.0F;     // of the median gradient
+constexpr float kHighestFloor = 5.0F;   // but a picture full of texture still has edges
+constexpr float kFullWeight = 1.5F;     // times the threshold
+
+struct Gradients {
+  cv::Mat1f along_u;
+  cv::Mat1f along_v;
+  cv::Mat1f magnitude;
+};
+
+Gradients differentiate(const cv::Mat1b& grey) {
+  cv::Mat1f smooth;
+  cv::GaussianBlur(cv::Mat1f(grey), smooth, {5, 5}, 1.0, 1.0, cv::BORDER_REPLICATE);
+  Gradients g;
+  g.along_u = cv::Mat1f(grey.size(), 0.0F);
+  g.along_v = cv::Mat1f(grey.size(), 0.0F);
+  g.magnitude = cv::Mat1f(grey.size(), 0.0F);
+  for (int v = 1; v + 1 < grey.rows; ++v) {
+    for (int u = 1; u + 1 < grey.cols; ++u) {
+      const float du = 0.5F * (smooth(v, u + 1) - smooth(v, u - 1));
+      const float dv = 0.5F * (smooth(v + 1, u) - smooth(v - 1, u));
+      g.along_u(v, u) = du;
+      g.along_v(v, u) = dv;
+      g.magnitude(v, u) = std::sqrt(du * du + dv * dv);
+    }
+  }
+  return g;
+}
+
+float threshold_of(const cv::Mat1f& magnitude) {
+  std::vector<float> values(magnitude.begin(), magnitude.end());
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return std::clamp(kOverMedian * *middle, kLeastGradient, kHighestFloor);
+}
+
+/// Direction of the strongest change around a pixel, as a unit vector.
+cv::Vec2f tensor_normal(const Gradients& g, int v, int u) {
+  float uu = 0.0F;
+  float uv = 0.0F;
+  float vv = 0.0F;
+  for (int j = v - 1; j <= v + 1; ++j) {
+    for (int i = u - 1; i <= u + 1; ++i) {
+      const float a = g.along_u(j, i);
+      const float b = g.along_v(j, i);
+      uu += a * a;
+      uv += a * b;
+      vv += b * b;
+    }
+  }
+  const float angle = 0.5F * std::atan2(2.0F * uv, uu - vv);
+  return {std::cos(angle), std::sin(angle)};
+}
+
+float at(const cv::Mat1f& m, float v, float u) {
+  const int v0 = static_cast<int>(v);
+  const int u0 = static_cast<int>(u);
+  const float b = v - static_cast<float>(v0);
+  const float a = u - static_cast<float>(u0);
+  return (1 - b) * ((1 - a) * m(v0, u0) + a * m(v0, u0 + 1)) +
+         b * ((1 - a) * m(v0 + 1, u0) + a * m(v0 + 1, u0 + 1));
+}
+
+}  // namespace
+
+std::vector<EdgePoint> find_edge_points(const cv::Mat1b& grey) {
+  std::vector<EdgePoint> points;
+  if (grey.rows < 8 || grey.cols < 8) return points;
+  const Gradients g = differentiate(grey);
+  const float threshold = threshold_of(g.magnitude);
+  for (int v = 2; v + 3 < grey.rows; ++v) {
+    for (int u = 2; u + 3 < grey.cols; ++u) {
+      const float here = g.magnitude(v, u);
+      if (here < threshold) continue;
+      const float nu = g.along_u(v, u) / here;
+      const float nv = g.along_v(v, u) / here;
+      const auto fv = static_cast<float>(v);
+      const auto fu = static_cast<float>(u);
+      const float before = at(g.magnitude, fv - nv, fu - nu);
+      const float after = at(g.magnitude, fv + nv, fu + nu);
+      if (here < before || here <= after) continue;
+      const float bend = before - 2.0F * here + after;
+      const float shift = bend < 0.0F ? 0.5F * (before - after) / bend : 0.0F;
+      const cv::Vec2f normal = tensor_normal(g, v, u);
+      points.push_back({fu + shift * nu, fv + shift * nv, normal[0], normal[1],
+                        std::min(1.0F, here / (kFullWeight * threshold))});
+    }
+  }
+  return points;
+}
+
+}  // namespace striate

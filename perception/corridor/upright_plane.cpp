@@ -1,0 +1,133 @@
+#include "perception/corridor/upright_plane.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+namespace striate {
+namespace {
+
+constexpr double kTrusted = 0.4;
+constexpr double kLowest_m = 0.2;
+constexpr double kHighest_m = 2.6;
+constexpr double kFarthest_m = 7.0;
+constexpr int kEvery = 5;  // pixels between samples, in u and v
+constexpr int kTries = 80;
+constexpr double kTolerance_px = 0.45;
+constexpr double kLeastShare = 0.12;
+constexpr double kLeastWidth_px = 20.0;
+constexpr double kLeastAlong_m = 0.8;
+constexpr int kMostPlanes = 2;
+
+struct Sample {
+  double u = 0.0;
+  double level = 0.0;
+};
+
+struct Fit {
+  double at_zero = 0.0;  ///< level disparity at u = 0
+  double slope = 0.0;    ///< per column
+  int inliers = 0;
+};
+
+std::vector<Sample> take_samples(const DisparityMap& map, const ViewGeometry& geometry) {
+  std::vector<Sample> samples;
+  const double least = geometry.focal_baseline() / kFarthest_m;
+  for (int v = 2; v < map.disparity_px.rows; v += kEvery) {
+    const double factor = geometry.level_factor(v);
+    for (int u = 2 + (v / kEvery) % 2 * (kEvery / 2); u < map.disparity_px.cols; u += kEvery) {
+      const float d = map.disparity_px(v, u);
+      if (!std::isfinite(d) || d <= 0.0F || map.confidence(v, u) < kTrusted) continue;
+      const double height_m = geometry.height_m(v, d);
+      if (height_m < kLowest_m || height_m > kHighest_m || d * factor < least) continue;
+      samples.push_back({static_cast<double>(u), d * factor});
+    }
+  }
+  return samples;
+}
+
+bool lies_on(const Fit& fit, const Sample& s) {
+  return std::abs(fit.at_zero + fit.slope * s.u - s.level) < kTolerance_px;
+}
+
+/// A small counter-based generator: the same tries in every run.
+std::uint32_t draw(std::uint32_t counter) {
+  std::uint32_t x = counter * 0x9E3779B9U + 0x85EBCA6BU;
+  x = (x ^ (x >> 16)) * 0x7FEB352DU;
+  x = (x ^ (x >> 15)) * 0x846CA68BU;
+  return x ^ (x >> 16);
+}
+
+Fit best_fit(const std::vector<Sample>& samples, double middle_u_px, double reach_px) {
+  Fit best;
+  const auto n = static_cast<std::uint32_t>(samples.size());
+  for (std::uint32_t i = 0; i < kTries; ++i) {
+    const Sample& a = samples[draw(2 * i) % n];
+    const Sample& b = samples[draw(2 * i + 1) % n];
+    if (std::abs(a.u - b.u) < kLeastWidth_px) continue;
+    Fit fit;
+    fit.slope = (b.level - a.level) / (b.u - a.u);
+    fit.at_zero = a.level - fit.slope * a.u;
+    if (std::abs(fit.at_zero + fit.slope * middle_u_px) > reach_px * std::abs(fit.slope)) continue;
+    for (const Sample& s : samples) fit.inliers += lies_on(fit, s);
+    if (fit.inliers > best.inliers) best = fit;
+  }
+  return best;
+}
+
+/// Least squares through the inliers; says over which columns they reach.
+Fit polish(const Fit& rough, const std::vector<Sample>& samples, double& from_u, double& to_u) {
+  double n = 0.0;
+  double su = 0.0;
+  double sl = 0.0;
+  double suu = 0.0;
+  double sul = 0.0;
+  std::vector<double> columns;
+  for (const Sample& s : samples) {
+    if (!lies_on(rough, s)) continue;
+    n += 1.0;
+    su += s.u;
+    sl += s.level;
+    suu += s.u * s.u;
+    sul += s.u * s.level;
+    columns.push_back(s.u);
+  }
+  std::sort(columns.begin(), columns.end());
+  from_u = columns[columns.size() / 20];
+  to_u = columns[columns.size() - 1 - columns.size() / 20];
+  Fit fit = rough;
+  const double spread = n * suu - su * su;
+  if (spread > 0.0) {
+    fit.slope = (n * sul - su * sl) / spread;
+    fit.at_zero = (sl - fit.slope * su) / n;
+  }
+  return fit;
+}
+
+}  // namespace
+
+std::vector<UprightPlane> find_upright_planes(const DisparityMap& map, const ViewGeometry& geometry,
+                                              double reach_px) {
+  std::vector<UprightPlane> planes;
+  std::vector<Sample> samples = take_samples(map, geometry);
+  const auto total = static_cast<double>(samples.size());
+  while (planes.size() < kMostPlanes && samples.size() > 60) {
+    const Fit rough = best_fit(samples, geometry.centre_u_px(), reach_px);
+    if (rough.inliers < kLeastShare * total) break;
+    double from_u = 0.0;
+    double to_u = 0.0;
+    const Fit fit = polish(rough, samples, from_u, to_u);
+    std::erase_if(samples, [&](const Sample& s) { return lies_on(rough, s); });
+    if (to_u - from_u < kLeastWidth_px || fit.slope == 0.0) continue;
+    const Point2 a = geometry.level_point(from_u, std::max(0.5, fit.at_zero + fit.slope * from_u));
+    const Point2 b = geometry.level_point(to_u, std::max(0.5, fit.at_zero + fit.slope * to_u));
+    UprightPlane plane;
+    plane.vanishing_u_px = -fit.at_zero / fit.slope;
+    plane.share = rough.inliers / total;
+    plane.along_m = std::hypot(a.x_m - b.x_m, a.y_m - b.y_m);
+    if (plane.along_m >= kLeastAlong_m) planes.push_back(plane);
+  }
+  return planes;
+}
+
+}  // namespace striate

@@ -1,0 +1,243 @@
+#include "perception/corridor/vanishing_point.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace striate {
+namespace {
+
+constexpr double kVoteBin_px = 2.0;
+constexpr double kAngleError_rad = 0.06;  // of one edge point's orientation
+constexpr float kUpright = 0.975F;        // |normal_u| above: within 13 degrees of upright
+constexpr float kHorizonBand_px = 5.0F;   // edges so near the horizon cross it anywhere
+constexpr float kAligned = 0.10F;         // sine of the angle by which an edge may miss the point
+constexpr int kRays = 360;                // directions in which lines leave the point
+constexpr float kLongest_px = 45.0F;      // one line cannot count for more
+constexpr float kShortest_px = 8.0F;      // shorter is texture
+constexpr int kCandidates = 6;
+constexpr double kSamePlace_px = 8.0;  // nearer ones are the same place
+constexpr double kHorizonPrior = 4.0;  // weight of the horizon's row against a line
+
+bool may_vote(const EdgePoint& e, const VanishingSearch& search) {
+  return std::abs(e.normal_u) < kUpright &&
+         std::abs(e.v_px - static_cast<float>(search.horizon_v_px)) > kHorizonBand_px;
+}
+
+/// One-dimensional votes along the horizon.
+std::vector<double> vote(const std::vector<EdgePoint>& edges, const VanishingSearch& search) {
+  const int bins = static_cast<int>((search.to_u_px - search.from_u_px) / kVoteBin_px) + 1;
+  std::vector<double> votes(bins, 0.0);
+  for (const EdgePoint& e : edges) {
+    const double along = std::abs(e.normal_u);  // sine of the line's angle to the horizon
+    if (along < 0.08) continue;
+    const double dv = search.horizon_v_px - e.v_px;
+    const double u = e.u_px - dv * e.normal_v / e.normal_u;
+    const double spread_px = std::max(2.0, std::abs(dv) * kAngleError_rad / (along * along));
+    const int from =
+        std::max(0, static_cast<int>((u - spread_px - search.from_u_px) / kVoteBin_px));
+    const int to = std::min(
+        bins - 1, static_cast<int>(std::floor((u + spread_px - search.from_u_px) / kVoteBin_px)));
+    for (int b = from; b <= to; ++b) votes[b] += e.weight / spread_px;
+  }
+  return votes;
+}
+
+std::vector<double> best_candidates(std::vector<double> votes, const VanishingSearch& search) {
+  std::vector<double> candidates;
+  const int bins = static_cast<int>(votes.size());
+  for (int i = 0; i < kCandidates; ++i) {
+    const auto top = std::max_element(votes.begin(), votes.end());
+    if (*top <= 0.0) break;
+    const int bin = static_cast<int>(top - votes.begin());
+    candidates.push_back(search.from_u_px + (bin + 0.5) * kVoteBin_px);
+    for (int b = std::max(0, bin - 3); b <= std::min(bins - 1, bin + 3); ++b) votes[b] = 0.0;
+  }
+  return candidates;
+}
+
+using Rays = std::array<float, kRays>;
+
+int ray_of(float du, float dv) {
+  const double turn = std::atan2(dv, du) / (2.0 * std::numbers::pi) + 0.5;
+  return std::min(kRays - 1, static_cast<int>(turn * kRays));
+}
+
+/// Length of aligned edge in every direction from (u, horizon).
+Rays cast_rays(const std::vector<EdgePoint>& edges, double u_px, double v_px) {
+  Rays rays{};
+  for (const EdgePoint& e : edges) {
+    const float du = e.u_px - static_cast<float>(u_px);
+    const float dv = e.v_px - static_cast<float>(v_px);
+    const float miss = du * e.normal_u + dv * e.normal_v;
+    const float reach2 = du * du + dv * dv;
+    if (miss * miss > kAligned * kAligned * reach2) continue;
+    rays[ray_of(du, dv)] += e.weight;
+  }
+  return rays;
+}
+
+/// Long lines count, scattered edges do not: the square of what lies on one ray and its neighbours.
+double score_of(const Rays& rays) {
+  double score = 0.0;
+  for (int r = 0; r < kRays; ++r) {
+    const float side = rays[(r + 1) % kRays] + rays[(r + kRays - 1) % kRays];
+    const float length = std::min(kLongest_px, rays[r] + 0.5F * side);
+    if (length > kShortest_px) score += length * length;
+  }
+  return score;
+}
+
+double score_at(const std::vector<EdgePoint>& edges, const VanishingSearch& search, double u_px) {
+  return score_of(cast_rays(edges, u_px, search.horizon_v_px));
+}
+
+struct Line {
+  double normal_u = 0.0;
+  double normal_v = 0.0;
+  double offset = 0.0;  ///< normal . point
+  double weight = 0.0;  ///< sum of edge weights, about its length
+  double middle_u = 0.0;
+};
+
+/// Straight line through the edge points, by moments; weight 0 where they are too few.
+Line fit_line(const std::vector<const EdgePoint*>& points) {
+  double w = 0.0;
+  double su = 0.0;
+  double sv = 0.0;
+  double suu = 0.0;
+  double suv = 0.0;
+  double svv = 0.0;
+  for (const EdgePoint* e : points) {
+    w += e->weight;
+    su += e->weight * e->u_px;
+    sv += e->weight * e->v_px;
+    suu += static_cast<double>(e->weight) * e->u_px * e->u_px;
+    suv += static_cast<double>(e->weight) * e->u_px * e->v_px;
+    svv += static_cast<double>(e->weight) * e->v_px * e->v_px;
+  }
+  Line line;
+  if (w < kShortest_px) return line;
+  const double cuu = suu / w - su * su / (w * w);
+  const double cuv = suv / w - su * sv / (w * w);
+  const double cvv = svv / w - sv * sv / (w * w);
+  const double angle = 0.5 * std::atan2(2.0 * cuv, cuu - cvv);  // of the line itself
+  line.normal_u = -std::sin(angle);
+  line.normal_v = std::cos(angle);
+  line.offset = line.normal_u * su / w + line.normal_v * sv / w;
+  line.weight = w;
+  line.middle_u = su / w;
+  return line;
+}
+
+/// The long lines through a point: local maxima over the rays, each fitted to its edge points.
+std::vector<Line> lines_through(const std::vector<EdgePoint>& edges, double u_px, double v_px) {
+  const Rays rays = cast_rays(edges, u_px, v_px);
+  std::array<std::vector<const EdgePoint*>, kRays> members;
+  for (const EdgePoint& e : edges) {
+    const float du = e.u_px - static_cast<float>(u_px);
+    const float dv = e.v_px - static_cast<float>(v_px);
+    const float miss = du * e.normal_u + dv * e.normal_v;
+    if (miss * miss > kAligned * kAligned * (du * du + dv * dv)) continue;
+    members[ray_of(du, dv)].push_back(&e);
+  }
+  std::vector<Line> lines;
+  for (int r = 0; r < kRays; ++r) {
+    const int before = (r + kRays - 1) % kRays;
+    const int after = (r + 1) % kRays;
+    if (rays[r] < rays[before] || rays[r] <= rays[after]) continue;
+    std::vector<const EdgePoint*> points = members[r];
+    points.insert(points.end(), members[before].begin(), members[before].end());
+    points.insert(points.end(), members[after].begin(), members[after].end());
+    const Line line = fit_line(points);
+    if (line.weight > 0.0) lines.push_back(line);
+  }
+  return lines;
+}
+
+/// Least squares: where the lines meet, with the horizon's row as one more observation.
+void meet(const std::vector<Line>& lines, double horizon_v_px, VanishingPoint& point) {
+  double a = 1e-9;
+  double b = 0.0;
+  double c = kHorizonPrior;
+  double x = 0.0;
+  double y = kHorizonPrior * horizon_v_px;
+  for (const Line& line : lines) {
+    const double w = std::min<double>(line.weight, kLongest_px);
+    a += w * line.normal_u * line.normal_u;
+    b += w * line.normal_u * line.normal_v;
+    c += w * line.normal_v * line.normal_v;
+    x += w * line.normal_u * line.offset;
+    y += w * line.normal_v * line.offset;
+  }
+  const double determinant = a * c - b * b;
+  point.u_px = (c * x - b * y) / determinant;
+  point.v_px = (a * y - b * x) / determinant;
+}
+
+void describe(const std::vector<Line>& lines, VanishingPoint& point) {
+  double total = 0.0;
+  double miss = 0.0;
+  for (const Line& line : lines) {
+    const double distance =
+        std::abs(line.normal_u * point.u_px + line.normal_v * point.v_px - line.offset);
+    total += line.weight;
+    miss += line.weight * distance;
+    (line.middle_u < point.u_px ? point.lines_left : point.lines_right) += line.weight;
+  }
+  point.lines = static_cast<int>(lines.size());
+  point.spread_px = total > 0.0 ? miss / total : 0.0;
+}
+
+/// Uphill from a candidate, then to the meeting point of the lines through it.
+VanishingPoint refine(const std::vector<EdgePoint>& voters, const VanishingSearch& search,
+                      double candidate_u_px) {
+  VanishingPoint point;
+  point.v_px = search.horizon_v_px;
+  for (double u = candidate_u_px - 4.0; u <= candidate_u_px + 4.0; u += 2.0) {
+    const double score = score_at(voters, search, u);
+    if (score > point.score) {
+      point.score = score;
+      point.u_px = u;
+    }
+  }
+  if (point.score <= 0.0) point.u_px = candidate_u_px;
+  std::vector<Line> lines;
+  for (int round = 0; round < 2; ++round) {
+    lines = lines_through(voters, point.u_px, point.v_px);
+    if (lines.empty()) break;
+    meet(lines, search.horizon_v_px, point);
+  }
+  describe(lines, point);
+  return point;
+}
+
+}  // namespace
+
+std::vector<VanishingPoint> find_vanishing_points(const std::vector<EdgePoint>& edges,
+                                                  const VanishingSearch& search) {
+  std::vector<EdgePoint> voters;
+  for (const EdgePoint& e : edges) {
+    if (may_vote(e, search)) voters.push_back(e);
+  }
+  std::vector<VanishingPoint> all;
+  for (const double candidate : best_candidates(vote(voters, search), search)) {
+    const VanishingPoint point = refine(voters, search, candidate);
+    if (point.lines > 0) all.push_back(point);
+  }
+  for (const double u_px : search.also_u_px) all.push_back(refine(voters, search, u_px));
+  std::stable_sort(all.begin(), all.end(), [](const VanishingPoint& a, const VanishingPoint& b) {
+    return a.score > b.score;
+  });
+  std::vector<VanishingPoint> distinct;
+  for (const VanishingPoint& p : all) {
+    const bool known = std::any_of(distinct.begin(), distinct.end(), [&](const VanishingPoint& d) {
+      return std::abs(d.u_px - p.u_px) < kSamePlace_px;
+    });
+    if (!known) distinct.push_back(p);
+  }
+  return distinct;
+}
+
+}  // namespace striate

@@ -1,0 +1,116 @@
+#include "perception/corridor/wall_profile.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bitset>
+#include <cmath>
+
+namespace striate {
+namespace {
+
+constexpr double kTrusted = 0.4;
+constexpr double kLowest_m = 0.15;
+constexpr double kHighest_m = 2.6;
+constexpr double kFarthest_m = 6.5;  // beyond, one pixel of disparity is more than a metre
+constexpr double kNearest_m = 0.25;  // no wall passes through the robot
+constexpr double kSideBin_m = 0.05;
+constexpr double kFarthestSide_m = 4.0;
+constexpr int kSideBins = 80;  // per side
+constexpr double kAlongCell_m = 0.25;
+constexpr double kUpCell_m = 0.3;
+constexpr int kAlongCells = 32;
+constexpr int kUpCells = 9;
+constexpr int kWindow = 2;  // bins to either side of a wall's middle that are the wall
+constexpr double kLeastStructure = 14.0;
+constexpr double kLeastAlong_m = 1.0;
+constexpr double kNearlyMost = 0.5;
+
+using Cells = std::bitset<kAlongCells * kUpCells>;
+using Profile = std::array<Cells, kSideBins>;
+
+Cells window_cells(const Profile& profile, int bin) {
+  Cells cells;
+  const int last = std::min(kSideBins - 1, bin + kWindow);
+  for (int b = std::max(0, bin - kWindow); b <= last; ++b) cells |= profile[b];
+  return cells;
+}
+
+double length_along(const Cells& cells) {
+  int occupied = 0;
+  for (int a = 0; a < kAlongCells; ++a) {
+    bool any = false;
+    for (int z = 0; z < kUpCells; ++z) any = any || cells[a * kUpCells + z];
+    occupied += any;
+  }
+  return occupied * kAlongCell_m;
+}
+
+/// `sides`: signed distances to the wall's side of the points, to find the wall's middle.
+Wall strongest_wall(const Profile& profile, const std::vector<float>& sides) {
+  std::array<double, kSideBins> structure{};
+  std::array<double, kSideBins> along_m{};
+  double most = 0.0;
+  for (int bin = 0; bin < kSideBins; ++bin) {
+    const Cells cells = window_cells(profile, bin);
+    along_m[bin] = length_along(cells);
+    if (along_m[bin] < kLeastAlong_m) continue;
+    structure[bin] = static_cast<double>(cells.count());
+    most = std::max(most, structure[bin]);
+  }
+  if (most < kLeastStructure) return {};
+  // The outermost of the strong ones: furniture and people stand inside the walls.
+  int best = kSideBins - 1;
+  while (structure[best] < kNearlyMost * most) --best;
+  while (best > 0 && structure[best - 1] >= structure[best]) --best;
+  Wall wall{kNothing_m, structure[best], along_m[best]};
+  const double middle_m = (best + 0.5) * kSideBin_m;
+  double sum = 0.0;
+  int count = 0;
+  for (const float side_m : sides) {
+    if (std::abs(side_m - middle_m) > (kWindow + 0.5) * kSideBin_m) continue;
+    sum += side_m;
+    ++count;
+  }
+  wall.distance_m = count > 0 ? sum / count : middle_m;
+  return wall;
+}
+
+}  // namespace
+
+std::vector<SpacePoint> collect_wall_points(const DisparityMap& map, const ViewGeometry& geometry) {
+  std::vector<SpacePoint> points;
+  const double least_px = geometry.focal_baseline() / kFarthest_m;
+  for (int v = 0; v < map.disparity_px.rows; ++v) {
+    for (int u = (v & 1); u < map.disparity_px.cols; u += 2) {  // half of them, as a checkerboard
+      const float d = map.disparity_px(v, u);
+      if (!(map.confidence(v, u) >= kTrusted) || !std::isfinite(d) || d < least_px) continue;
+      const SpacePoint p = geometry.point(u, v, d);
+      if (p.z_m > kLowest_m && p.z_m < kHighest_m) points.push_back(p);
+    }
+  }
+  return points;
+}
+
+Walls find_walls(const std::vector<SpacePoint>& points, double heading_rad) {
+  const double c = std::cos(heading_rad);
+  const double s = std::sin(heading_rad);
+  Profile left{};
+  Profile right{};
+  std::vector<float> left_sides;
+  std::vector<float> right_sides;
+  for (const SpacePoint& p : points) {
+    const double along_m = c * p.x_m + s * p.y_m;
+    const double side_m = c * p.y_m - s * p.x_m;
+    const double distance_m = std::abs(side_m);
+    if (along_m < 0.0 || distance_m < kNearest_m || distance_m >= kFarthestSide_m) continue;
+    const int along = static_cast<int>(along_m / kAlongCell_m);
+    const int up = static_cast<int>(p.z_m / kUpCell_m);
+    if (along >= kAlongCells || up < 0 || up >= kUpCells) continue;
+    const int bin = static_cast<int>(distance_m / kSideBin_m);
+    (side_m > 0.0 ? left : right)[bin].set(static_cast<std::size_t>(along * kUpCells + up));
+    (side_m > 0.0 ? left_sides : right_sides).push_back(static_cast<float>(distance_m));
+  }
+  return {strongest_wall(left, left_sides), strongest_wall(right, right_sides)};
+}
+
+}  // namespace striate

@@ -1,0 +1,101 @@
+#include "perception/obstacles/obstacles.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "perception/obstacles/column_scan.hpp"
+#include "perception/obstacles/free_floor.hpp"
+#include "perception/obstacles/obstacle_blobs.hpp"
+#include "perception/obstacles/view_geometry.hpp"
+
+namespace striate {
+namespace {
+
+constexpr double kBridgedCounts = 0.5;      // a bridged column is believed half as much
+constexpr double kBearingDistance_m = 4.0;  // where an empty column's bearing is taken
+constexpr double kClearance_m = 0.05;       // free floor ends before the obstacle
+
+double mean_trust(const JudgedMap& judged, const Standing& standing, int u) {
+  double sum = 0.0;
+  int count = 0;
+  for (int v = standing.top_row; v < judged.kind.rows; ++v) {
+    if (static_cast<PixelKind>(judged.kind(v, u)) != PixelKind::standing) continue;
+    if (std::abs(judged.level(v, u) - standing.level_px) > 1.0) continue;
+    sum += judged.weight(v, u);
+    ++count;
+  }
+  return count > 0 ? sum / count : 0.5;
+}
+
+/// Just enough support gives 0.5, three times as much nearly all that the disparities deserve.
+double believe(const JudgedMap& judged, const Standing& standing, int u) {
+  const double seen = 1.0 - std::exp2(-standing.support);
+  return seen * mean_trust(judged, standing, u) * (standing.bridged ? kBridgedCounts : 1.0);
+}
+
+ColumnHit hit_of(const Standing& standing, const JudgedMap& judged, const ViewGeometry& geometry,
+                 int u) {
+  ColumnHit hit;
+  hit.found = standing.level_px > 0.0;
+  if (!hit.found) return hit;
+  const double d = standing.level_px / geometry.level_factor(standing.row_px);
+  const SpacePoint p = geometry.point(u, standing.row_px, d);
+  const double top_d = standing.level_px / geometry.level_factor(standing.top_row);
+  hit.level_px = standing.level_px;
+  hit.at = {p.x_m, p.y_m};
+  hit.height_m = std::max(0.0, geometry.height_m(standing.top_row, top_d));
+  hit.confidence = believe(judged, standing, u);
+  return hit;
+}
+
+double floor_range_m(const ViewGeometry& geometry, int u, double v) {
+  const SpacePoint p = geometry.point(u, v, geometry.floor_disparity_px(v));
+  return std::hypot(p.x_m, p.y_m);
+}
+
+Column column_of(const ColumnHit& hit, const FreeFloor& free, const ViewGeometry& geometry, int u) {
+  Column column;
+  if (free.from_row >= 0) {
+    column.free_from_m = floor_range_m(geometry, u, free.from_row);
+    column.free_to_m = floor_range_m(geometry, u, free.to_row);
+    column.free_confidence = free.confidence;
+  }
+  Point2 at = geometry.level_point(u, geometry.focal_baseline() / kBearingDistance_m);
+  if (hit.found) {
+    at = hit.at;
+    column.obstacle_m = std::hypot(at.x_m, at.y_m);
+    column.obstacle_confidence = hit.confidence;
+    column.free_to_m = std::min(column.free_to_m, column.obstacle_m - kClearance_m);
+  }
+  if (column.free_to_m <= column.free_from_m) {
+    column.free_from_m = column.free_to_m = column.free_confidence = 0.0;
+  }
+  column.bearing_rad = std::atan2(at.y_m, at.x_m);
+  return column;
+}
+
+}  // namespace
+
+ObstacleView find_obstacles(const DisparityMap& map, const HeadPose& head,
+                            const RobotDescription& robot, const ObstacleSettings& settings) {
+  ObstacleView view;
+  if (map.disparity_px.empty()) return view;
+  const ViewGeometry geometry(map, head, robot);
+  view.floor_offset_px = calibrate_floor(map, geometry, settings);
+  const JudgedMap judged = judge_pixels(map, geometry, settings, view.floor_offset_px);
+  std::vector<Standing> standing = find_standing(judged, geometry, settings);
+  bridge_unknown_columns(standing, judged, settings);
+  const std::vector<FreeFloor> free = find_free_floor(judged, geometry, settings);
+
+  const int width = map.disparity_px.cols;
+  std::vector<ColumnHit> hits(width);
+  view.columns.resize(width);
+  for (int u = 0; u < width; ++u) {
+    hits[u] = hit_of(standing[u], judged, geometry, u);
+    view.columns[u] = column_of(hits[u], free[u], geometry, u);
+  }
+  view.obstacles = join_columns(hits);
+  return view;
+}
+
+}  // namespace striate

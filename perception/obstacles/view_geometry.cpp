@@ -1,0 +1,48 @@
+#include "perception/obstacles/view_geometry.hpp"
+
+#include <cmath>
+
+namespace striate {
+
+ViewGeometry::ViewGeometry(const DisparityMap& map, const HeadPose& head,
+                           const RobotDescription& robot)
+    : focal_px_(map.focal_px),
+      centre_u_px_(map.centre_u_px),
+      centre_v_px_(map.centre_v_px),
+      focal_baseline_(map.focal_px * map.baseline_m),
+      half_baseline_m_(0.5 * map.baseline_m),
+      camera_height_m_(robot.camera_height_m),
+      camera_forward_m_(robot.camera_forward_m),
+      cos_pan_(std::cos(head.pan_rad)),
+      sin_pan_(std::sin(head.pan_rad)),
+      pan_rad_(head.pan_rad),
+      cos_tilt_(std::cos(head.tilt_rad)),
+      sin_tilt_(std::sin(head.tilt_rad)),
+      floor_slope_(map.baseline_m * cos_tilt_ / camera_height_m_),
+      floor_at_centre_px_(-focal_baseline_ * sin_tilt_ / camera_height_m_) {}
+
+Point2 ViewGeometry::from_head(double forward_m, double left_m) const {
+  const double y = left_m + half_baseline_m_;
+  return {camera_forward_m_ + forward_m * cos_pan_ - y * sin_pan_,
+          forward_m * sin_pan_ + y * cos_pan_};
+}
+
+SpacePoint ViewGeometry::point(double u_px, double v_px, double d_px) const {
+  const double depth_m = focal_baseline_ / d_px;
+  const double y = (v_px - centre_v_px_) / focal_px_;
+  const Point2 floor = from_head(depth_m * (cos_tilt_ + y * sin_tilt_),
+                                 -depth_m * (u_px - centre_u_px_) / focal_px_);
+  return {floor.x_m, floor.y_m, camera_height_m_ + depth_m * (sin_tilt_ - y * cos_tilt_)};
+}
+
+double ViewGeometry::ray_bearing_rad(double u_px) const {
+  return pan_rad_ - std::atan((u_px - centre_u_px_) / focal_px_ * cos_tilt_);
+}
+
+Point2 ViewGeometry::level_point(double u_px, double e_px) const {
+  // On the horizon's row cos t + y sin t = 1 / cos t, so left / forward = -x cos t.
+  const double forward_m = focal_baseline_ / e_px;
+  return from_head(forward_m, -forward_m * (u_px - centre_u_px_) / focal_px_ * cos_tilt_);
+}
+
+}  // namespace striate

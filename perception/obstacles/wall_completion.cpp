@@ -1,0 +1,59 @@
+#include "perception/obstacles/wall_completion.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace striate {
+namespace {
+
+constexpr double kLeastConfidence = 0.4;  // of the corridor
+constexpr double kCounts = 0.5;           // confidence of the wall against that of the corridor
+constexpr double kFarthest_m = 6.0;
+constexpr double kBehind = 1.2;       // so much farther is behind the wall
+constexpr double kSeenThrough = 0.3;  // share of a column's pixels that opens the wall
+constexpr double kTrusted = 0.3;
+constexpr double kClearance_m = 0.05;
+
+/// Distance along `bearing_rad` to the wall on that side; +inf for none.
+double wall_range_m(const CorridorView& corridor, double bearing_rad) {
+  const double turn = wrap_angle(bearing_rad - corridor.heading_rad);
+  const double sine = std::sin(turn);
+  if (std::abs(sine) < 0.05) return kNothing_m;
+  const double side_m = sine > 0.0 ? corridor.left_m : corridor.right_m;
+  return side_m / std::abs(sine);
+}
+
+/// Share of the column's pixels that are trusted to be farther than `range_m` and above the floor.
+double share_behind(const DisparityMap& map, const ViewGeometry& geometry, int u, double range_m) {
+  int behind = 0;
+  for (int v = 0; v < map.disparity_px.rows; ++v) {
+    const float d = map.disparity_px(v, u);
+    if (!std::isfinite(d) || d <= 0.0F || map.confidence(v, u) < kTrusted) continue;
+    const double height = geometry.height_m(v, d);
+    if (height < 0.1 || height > 2.4) continue;
+    const SpacePoint p = geometry.point(u, v, d);
+    behind += std::hypot(p.x_m, p.y_m) > kBehind * range_m;
+  }
+  return static_cast<double>(behind) / map.disparity_px.rows;
+}
+
+}  // namespace
+
+void complete_with_walls(std::vector<Column>& columns, const CorridorView& corridor,
+                         const DisparityMap& map, const ViewGeometry& geometry) {
+  if (!corridor.valid || corridor.confidence < kLeastConfidence) return;
+  for (int u = 0; u < static_cast<int>(columns.size()); ++u) {
+    Column& column = columns[u];
+    const double range_m = wall_range_m(corridor, column.bearing_rad);
+    if (range_m > kFarthest_m || column.obstacle_m < kBehind * range_m) continue;
+    if (share_behind(map, geometry, u, range_m) > kSeenThrough) continue;
+    column.obstacle_m = range_m;
+    column.obstacle_confidence = kCounts * corridor.confidence;
+    column.free_to_m = std::min(column.free_to_m, range_m - kClearance_m);
+    if (column.free_to_m <= column.free_from_m) {
+      column.free_from_m = column.free_to_m = column.free_confidence = 0.0;
+    }
+  }
+}
+
+}  // namespace striate

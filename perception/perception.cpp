@@ -1,0 +1,75 @@
+#include "perception/perception.hpp"
+
+#include <opencv2/imgproc.hpp>
+#include <stdexcept>
+
+#include "perception/noise_estimate.hpp"
+#include "perception/obstacles/wall_completion.hpp"
+
+namespace striate {
+namespace {
+
+cv::Mat1b grey_of(const cv::Mat3b& picture) {
+  cv::Mat1b grey;
+  cv::cvtColor(picture, grey, cv::COLOR_BGR2GRAY);
+  return grey;
+}
+
+/// The camera of `frame` at the working size; pixel centres are at integers.
+void describe_camera(const StereoFrame& frame, int width, DisparityMap& map) {
+  const double scale = static_cast<double>(width) / frame.left.cols;
+  map.focal_px = frame.focal_px * scale;
+  map.centre_u_px = (frame.centre_u_px + 0.5) * scale - 0.5;
+  map.centre_v_px = (frame.centre_v_px + 0.5) * scale - 0.5;
+  map.baseline_m = frame.right.empty() ? 0.0 : frame.baseline_m;
+}
+
+}  // namespace
+
+Perception::Perception(const PerceptionSettings& settings, const RobotDescription& robot)
+    : settings_(settings), robot_(robot), matcher_(settings.stereo) {}
+
+void Perception::measure_depth(const StereoFrame& frame, const cv::Mat1b& left, Percept& percept) {
+  if (frame.right.empty()) return;
+  if (frame.right.size() != frame.left.size()) {
+    throw std::invalid_argument("left and right picture differ in size");
+  }
+  const cv::Mat1b right = to_working_size(frame.right, settings_.stereo.width);
+  matcher_.match(left, right, percept.disparity);
+  if (frame.focal_px <= 0.0 || frame.baseline_m <= 0.0) return;
+  const auto find = settings_.stereo.setting == StereoSetting::paper ? find_obstacles_as_in_paper
+                                                                     : find_obstacles;
+  ObstacleView view = find(percept.disparity, frame.head, robot_, settings_.obstacles);
+  percept.columns = std::move(view.columns);
+  percept.obstacles = std::move(view.obstacles);
+}
+
+Percept Perception::see(const StereoFrame& frame) {
+  Percept percept;
+  percept.stamp = frame.stamp;
+  if (frame.left.empty()) return percept;
+  percept.valid = true;
+  const cv::Mat1b grey = grey_of(frame.left);
+  const cv::Mat1b left = to_working_size(frame.left, settings_.stereo.width);
+  percept.light_level = cv::mean(left)[0] / 255.0;
+  percept.noise_level = estimate_noise(grey);
+
+  describe_camera(frame, left.cols, percept.disparity);
+  measure_depth(frame, left, percept);
+  percept.corridor = view_corridor(left, percept.disparity, frame.head, robot_, settings_.corridor);
+  if (settings_.stereo.setting == StereoSetting::robust) {
+    complete_with_walls(percept.columns, percept.corridor, percept.disparity,
+                        ViewGeometry(percept.disparity, frame.head, robot_));
+  }
+  if (pictures_ % settings_.saliency_every == 0) {
+    cv::Mat3b colour;
+    cv::resize(frame.left, colour, left.size(), 0, 0, cv::INTER_AREA);
+    percept.saliency =
+        find_salience(colour, percept.disparity,
+                      ViewGeometry(percept.disparity, frame.head, robot_), settings_.saliency);
+  }
+  ++pictures_;
+  return percept;
+}
+
+}  // namespace striate

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstdint>
+
+#include "config/settings.hpp"
+#include "perception/corridor/corridor_view.hpp"
+#include "perception/obstacles/obstacles.hpp"
+#include "perception/percept.hpp"
+#include "perception/saliency/saliency.hpp"
+#include "perception/stereo/stereo_matcher.hpp"
+#include "platform/interface/robot.hpp"
+
+namespace striate {
+
+struct PerceptionSettings {
+  StereoSettings stereo;  ///< its `setting` also chooses how obstacles are found; its `width`
+                          ///< is the working size of everything but keypoints
+  ObstacleSettings obstacles;
+  CorridorSettings corridor;
+  SaliencySettings saliency;
+  int saliency_every = 1;  ///< pictures; in between the percept has no saliency
+};
+
+template <class V>
+void visit(V& v, PerceptionSettings& s) {
+  v.section("stereo", s.stereo);
+  v.section("obstacles", s.obstacles);
+  v.section("corridor", s.corridor);
+  v.section("saliency", s.saliency);
+  v.integer("saliency_every", s.saliency_every, {1, 100}, "saliency in every n-th picture");
+}
+
+/// All of seeing: one picture pair in, one percept out. Holds no memory of earlier pictures but
+/// their count, so the same pictures always give the same percepts.
+class Perception {
+ public:
+  /// Throws UserError for settings out of range.
+  Perception(const PerceptionSettings& settings, const RobotDescription& robot);
+
+  /// No picture: a percept that is not valid. One eye (`right` empty): what one picture can give,
+  /// the corridor's heading, saliency and keypoints. Unknown camera (`focal_px` <= 0):
+  /// no obstacles and no corridor. Throws std::invalid_argument where left and right differ in
+  /// size.
+  [[nodiscard]] Percept see(const StereoFrame& frame);
+
+ private:
+  void measure_depth(const StereoFrame& frame, const cv::Mat1b& left, Percept& percept);
+
+  PerceptionSettings settings_;
+  RobotDescription robot_;
+  StereoMatcher matcher_;
+  std::int64_t pictures_ = 0;
+};
+
+}  // namespace striate

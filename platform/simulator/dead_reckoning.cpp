@@ -1,0 +1,48 @@
+#include "platform/simulator/dead_reckoning.hpp"
+
+#include <cmath>
+
+namespace striate::simulator {
+namespace {
+
+/// Slip of single steps: after 1 m of 10 ms steps this adds up to about 1 mrad.
+constexpr double kSlipRadPerRootM = 0.001;
+
+}  // namespace
+
+DeadReckoning::DeadReckoning(std::uint64_t seed, const SensorSettings& settings)
+    : random_(seed, Purpose::odometry) {
+  // The first draws are the run's own scales; the steps use the rest.
+  way_scale_ = 1.0 + settings.odometry_way_error * random_.normal(0);
+  turn_scale_ = 1.0 + settings.odometry_turn_error * random_.normal(1);
+  drift_rad_m_ = settings.odometry_drift_rad_m * random_.normal(2);
+}
+
+void DeadReckoning::step(double dt_s, double forward_m_s, double turn_rad_s) {
+  forward_m_s_ = forward_m_s;
+  turn_rad_s_ = turn_rad_s;
+  const double way = forward_m_s * dt_s;
+  ++steps_;
+  if (way == 0.0 && turn_rad_s == 0.0) return;
+  const double slip = kSlipRadPerRootM * std::sqrt(std::abs(way)) * random_.normal(2 + steps_);
+  const double turned = turn_scale_ * turn_rad_s * dt_s + drift_rad_m_ * way + slip;
+  const double heading = pose_.heading_rad + turned / 2;
+  pose_.x_m += way_scale_ * way * std::cos(heading);
+  pose_.y_m += way_scale_ * way * std::sin(heading);
+  pose_.heading_rad = wrap_angle(pose_.heading_rad + turned);
+}
+
+Odometry DeadReckoning::reported(TimePoint now) const {
+  constexpr double kStepM = 0.001;
+  constexpr double kStepRad = 2.0 * std::numbers::pi / 4096.0;
+  const auto stepped = [](double value, double step) { return std::round(value / step) * step; };
+  Odometry odometry;
+  odometry.stamp = now;
+  odometry.pose = {stepped(pose_.x_m, kStepM), stepped(pose_.y_m, kStepM),
+                   stepped(pose_.heading_rad, kStepRad)};
+  odometry.forward_m_s = stepped(way_scale_ * forward_m_s_, kStepM);
+  odometry.turn_rad_s = stepped(turn_scale_ * turn_rad_s_, kStepM);
+  return odometry;
+}
+
+}  // namespace striate::simulator

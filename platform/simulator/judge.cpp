@@ -1,0 +1,138 @@
+#include "platform/simulator/judge.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "platform/simulator/obstacle_shapes.hpp"
+
+namespace striate::simulator {
+namespace {
+
+constexpr double kNearM = 0.10;
+constexpr double kFarAgainM = 0.15;  ///< a near miss has ended
+constexpr double kSameTouchS = 1.0;  ///< touching again so soon is the same collision
+constexpr double kPathPeriodS = 0.2;
+constexpr double kPeoplePeriodS = 0.5;
+constexpr double kAlmostS = 1e-9;
+constexpr double kMovingM_s = 0.05;
+
+}  // namespace
+
+Judge::Judge(const World& world, const FloorPlan& plan, const RobotDescription& robot,
+             const JudgeSettings& settings)
+    : plan_(plan),
+      things_(standing_shapes(world, plan)),
+      footprint_(robot_footprint(robot)),
+      settings_(settings),
+      goal_beyond_m_(world.goal_beyond_m) {
+  for (StaticShape& wall : wall_shapes(plan)) things_.push_back(std::move(wall));
+}
+
+void Judge::look(double now_s, const Physics& physics, const People& people,
+                 const PictureSource* light) {
+  note_path(now_s, physics, people);
+  const std::vector<Touch> touches = physics.touches();
+  note_touches(now_s, touches, light);
+  forward_m_s_ = physics.forward_m_s();
+  note_clearance(now_s, people, !touches.empty());
+  reached_goal_ = reached_goal_ || in_corridor().x_m > goal_beyond_m_;
+  decide(now_s);
+}
+
+void Judge::note_path(double now_s, const Physics& physics, const People& people) {
+  const Pose2 pose = physics.robot();
+  if (started_) {
+    driven_m_ += std::hypot(pose.x_m - now_.pose.x_m, pose.y_m - now_.pose.y_m);
+  }
+  started_ = true;
+  now_ = {now_s, pose};
+  if (path_.empty() || now_s - path_.back().time_s >= kPathPeriodS - kAlmostS) {
+    path_.push_back(now_);
+  }
+  if (people_.empty() || now_s - people_.back().time_s >= kPeoplePeriodS - kAlmostS) {
+    people_.push_back({now_s, {}});
+    for (const PersonState& person : people.states()) people_.back().people.push_back(person.pose);
+  }
+}
+
+void Judge::note_touches(double now_s, const std::vector<Touch>& touches,
+                         const PictureSource* light) {
+  std::erase_if(held_, [&](const Held& held) { return now_s - held.last_s > kSameTouchS; });
+  for (const Touch& touch : touches) {
+    const auto same = std::find_if(held_.begin(), held_.end(),
+                                   [&](const Held& held) { return held.name == touch.name; });
+    if (same != held_.end()) {
+      same->last_s = now_s;
+      continue;
+    }
+    held_.push_back({touch.name, now_s});
+    const Pose2 at = in_corridor();
+    const double level =
+        light != nullptr ? light->light_level({now_.pose.x_m, now_.pose.y_m}) : 1.0;
+    collisions_.push_back({now_s, at.x_m, at.y_m, touch.name, touch.moving, level, forward_m_s_});
+  }
+}
+
+Judge::Nearest Judge::nearest_thing(const People& people) const {
+  const ConvexShape robot = moved(footprint_, now_.pose);
+  const Point2 middle{now_.pose.x_m, now_.pose.y_m};
+  const double reach = bounding_radius_m(footprint_, {});
+  Nearest nearest;
+  for (const StaticShape& thing : things_) {
+    // A wall is long: its middle tells nothing, the line itself does.
+    const std::vector<Point2>& corners = thing.shape.corners;
+    const double away = corners.size() == 2 ? distance_to_segment_m(middle, corners[0], corners[1])
+                                            : distance_m(middle, thing.middle) - thing.bounding_m;
+    if (away - reach > nearest.clearance_m) continue;
+    const double clearance = distance_m(robot, thing.shape);
+    if (clearance < nearest.clearance_m) nearest = {clearance, thing.name, false};
+  }
+  for (std::size_t i = 0; i < people.slots().size(); ++i) {
+    if (!people.present(i)) continue;
+    const PersonState& person = people.slots()[i];
+    const Point2 at{person.pose.x_m, person.pose.y_m};
+    if (distance_m(middle, at) - kPersonRadius_m - reach > nearest.clearance_m) continue;
+    const double clearance = distance_m(robot, disc(at, kPersonRadius_m));
+    if (clearance < nearest.clearance_m) {
+      nearest = {clearance, people.name(i), person.speed_m_s > kMovingM_s};
+    }
+  }
+  return nearest;
+}
+
+void Judge::note_clearance(double now_s, const People& people, bool touching) {
+  const Nearest nearest = nearest_thing(people);
+  clearance_m_ = touching ? 0.0 : nearest.clearance_m;
+  if (touching) {  // this approach has become a collision
+    near_ = false;
+    return;
+  }
+  nearest_pass_m_ = std::min(nearest_pass_m_, nearest.clearance_m);
+  if (nearest.clearance_m < kNearM && (!near_ || nearest.clearance_m < nearing_.clearance_m)) {
+    const Pose2 at = in_corridor();
+    nearing_ = {now_s, at.x_m, at.y_m, nearest.clearance_m, nearest.name, nearest.moving};
+    near_ = true;
+  }
+  if (near_ && nearest.clearance_m > kFarAgainM) {
+    near_misses_.push_back(nearing_);
+    near_ = false;
+  }
+}
+
+void Judge::decide(double now_s) {
+  if (over_) return;
+  if (!collisions_.empty()) {
+    outcome_ = Outcome::collided;
+    over_ = settings_.ends_at_collision;
+  } else if (reached_goal_) {
+    outcome_ = Outcome::reached_goal;
+  }
+  over_ = over_ || (reached_goal_ && settings_.ends_at_goal);
+  if (!over_ && settings_.time_limit_s > 0.0 && now_s + kAlmostS >= settings_.time_limit_s) {
+    if (outcome_ == Outcome::running) outcome_ = Outcome::time_up;
+    over_ = true;
+  }
+  if (over_ && near_) near_misses_.push_back(nearing_);
+}
+
+}  // namespace striate::simulator

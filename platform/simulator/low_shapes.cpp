@@ -1,0 +1,53 @@
+#include "platform/simulator/low_shapes.hpp"
+
+#include "platform/simulator/obstacle_shapes.hpp"
+
+namespace striate::simulator {
+namespace {
+
+// As the renderer draws them.
+constexpr double kTableLegM = 0.055;
+constexpr double kTableLegInM = 0.03;  ///< from the top's edge to the leg
+constexpr double kChairLegM = 0.026;
+constexpr double kChairLegInM = 0.022;
+constexpr double kPotShare = 0.48;  ///< of a plant's width
+
+std::vector<ConvexShape> low_outline(const WorldObstacle& obstacle, const FloorPlan& plan) {
+  Pose2 pose = plan.at(obstacle.at.x_m, obstacle.at.y_m);
+  pose.heading_rad += obstacle.turn_rad;
+  const ObstacleSize size = size_of(obstacle);
+  if (obstacle.kind == ObstacleKind::plant) {
+    return {moved({round_footprint(kPotShare * size.x_m, kPotShare * size.y_m), 0.0}, pose)};
+  }
+  if (obstacle.kind != ObstacleKind::table && obstacle.kind != ObstacleKind::chair) {
+    return obstacle_outline(obstacle, plan);
+  }
+  const bool table = obstacle.kind == ObstacleKind::table;
+  const double leg = table ? kTableLegM : kChairLegM;
+  const double in = table ? kTableLegInM : kChairLegInM;
+  std::vector<ConvexShape> legs;
+  for (const double x : {-1.0, 1.0}) {
+    for (const double y : {-1.0, 1.0}) {
+      const Point2 at =
+          to_outer(pose, Point2{x * ((size.x_m - leg) / 2 - in), y * ((size.y_m - leg) / 2 - in)});
+      legs.push_back(rectangle({at.x_m, at.y_m, pose.heading_rad}, leg, leg));
+    }
+  }
+  return legs;
+}
+
+}  // namespace
+
+std::vector<StaticShape> low_shapes(const World& world, const FloorPlan& plan) {
+  World pillars_alone;
+  pillars_alone.pillars = world.pillars;
+  std::vector<StaticShape> shapes = standing_shapes(pillars_alone, plan);
+  for (const WorldObstacle& obstacle : world.obstacles) {
+    for (ConvexShape& shape : low_outline(obstacle, plan)) {
+      shapes.push_back({obstacle.name, std::move(shape), obstacle.at, 0.0});
+    }
+  }
+  return shapes;
+}
+
+}  // namespace striate::simulator

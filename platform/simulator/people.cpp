@@ -1,0 +1,237 @@
+#include "platform/simulator/people.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "platform/simulator/obstacle_shapes.hpp"
+
+namespace striate::simulator {
+namespace {
+
+constexpr double kRoomM = kPersonRadius_m + 0.02;
+constexpr std::uint64_t kStepsPerDecision = 10;
+constexpr double kPatienceS = 4.0;  ///< held up for so long, a walker makes room
+constexpr double kYieldS = 8.0;     ///< from going back to trying again
+constexpr double kAppearM = 4.0;    ///< nearer to the robot nobody appears out of nothing
+
+/// A way through the corridor's points that goes round what stands there; where a leg has no free
+/// way its end is left out.
+std::vector<Point2> free_way(const std::vector<Point2>& points, const ClearanceMap& map) {
+  std::vector<Point2> way{points.front()};
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const auto leg = map.way(way.back(), points[i], kRoomM);
+    if (leg) way.insert(way.end(), leg->begin() + 1, leg->end());
+  }
+  return way;
+}
+
+}  // namespace
+
+People::People(const World& world, const FloorPlan& plan, const RobotDescription& robot,
+               std::uint64_t seed)
+    : world_(world), plan_(plan), map_(world, plan), doors_(doorways(world, plan, map_)) {
+  place_ = {&world_, &plan_, &map_, &doors_, robot};
+  around_.map = &map_;
+  around_.footprint = robot_footprint(robot);
+  add_walks(seed);
+  for (std::size_t i = 0; i < world.steps_in_front.size(); ++i) {
+    steppers_.emplace_back(world.steps_in_front[i], seed, i + 1);
+  }
+  const Random random(seed, Purpose::walk);
+  for (std::size_t i = 0; i < world.standers.size(); ++i) {
+    const Stander& stander = world.standers[i];
+    Pose2 pose = plan.at(stander.at.x_m, stander.at.y_m);
+    pose.heading_rad += stander.heading_rad;
+    standers_.emplace_back().appear(pose, static_cast<int>(random.bits(1000 + i) % 64));
+  }
+  slots_.resize(walks_.size() + steppers_.size() + standers_.size());
+  bodies_.resize(slots_.size());
+  publish(1.0);
+}
+
+void People::add_walks(std::uint64_t seed) {
+  const Random random(seed, Purpose::walk);
+  std::uint64_t draw = 0;
+  for (const Walk& walk : world_.walks) {
+    Walking walking;
+    walking.slot = walks_.size();
+    walking.speed_m_s = walk.speed_m_s * random.between(draw++, 0.85, 1.15);
+    walking.from_s = walk.from_s + random.between(draw++, 0.0, 8.0);
+    walking.repeat = walk.repeat;
+    walking.look = static_cast<int>(random.bits(draw++) % 64);
+    std::vector<Point2> points = walk.points;
+    for (Point2& point : points) {
+      const Point2 given = point;
+      point.x_m += random.between(draw++, -0.3, 0.3);
+      point.y_m += random.between(draw++, -0.15, 0.15);
+      const Pose2 pose = plan_.at(point.x_m, point.y_m);
+      if (map_.at({pose.x_m, pose.y_m}) < kRoomM) point = given;
+    }
+    walking.way = free_way(plan_path(world_, plan_, points), map_);
+    walking.done = walking.way.size() < 2;
+    walks_.push_back(std::move(walking));
+  }
+}
+
+void People::step(double now_s, double dt_s, const RobotMotion& robot) {
+  look_round(robot);
+  if (steps_++ % kStepsPerDecision == 0) decide(now_s);
+  for (std::size_t slot = 0; slot < slots_.size(); ++slot) {
+    Walker* walker = walker_of(slot);
+    if (!walker->present()) continue;
+    see_others(slot);
+    walker->step(dt_s, around_);
+  }
+  publish(dt_s);
+}
+
+void People::look_round(const RobotMotion& robot) {
+  around_.robot = robot.pose;
+  around_.robot_forward_m_s = robot.forward_m_s;
+  around_.robot_turn_rad_s = robot.turn_rad_s;
+  around_.body = moved(around_.footprint, robot.pose);
+  const double way =
+      std::copysign(stopping_way_m(robot.forward_m_s, place_.robot), robot.forward_m_s);
+  ConvexShape swept = around_.footprint;
+  for (Point2& corner : swept.corners) {
+    if ((corner.x_m > 0.0) == (way > 0.0)) corner.x_m += way;
+  }
+  around_.braking = moved(swept, robot.pose);
+}
+
+Walker* People::walker_of(std::size_t slot) {
+  if (slot < walks_.size()) return &walks_[slot].walker;
+  slot -= walks_.size();
+  if (slot < steppers_.size()) return &steppers_[slot].walker();
+  return &standers_[slot - steppers_.size()];
+}
+
+void People::see_others(std::size_t slot) {
+  around_.others.clear();
+  const Point2 here = walker_of(slot)->at();
+  for (std::size_t other = 0; other < slots_.size(); ++other) {
+    const Walker* walker = walker_of(other);
+    if (other == slot || !walker->present()) continue;
+    if (distance_m(here, walker->at()) < 6.0) around_.others.push_back(walker->passer());
+  }
+}
+
+void People::decide(double now_s) {
+  for (Walking& walking : walks_) {
+    see_others(walking.slot);
+    decide_walk(walking, now_s);
+  }
+  for (std::size_t i = 0; i < steppers_.size(); ++i) {
+    if (steppers_[i].walker().present()) {
+      see_others(walks_.size() + i);
+    } else {  // he may appear anywhere, so he looks at everybody
+      around_.others.clear();
+      for (std::size_t other = 0; other < slots_.size(); ++other) {
+        if (walker_of(other)->present()) around_.others.push_back(walker_of(other)->passer());
+      }
+    }
+    steppers_[i].decide(now_s, place_, around_);
+  }
+}
+
+void People::decide_walk(Walking& walking, double now_s) {
+  if (walking.done || (!walking.walker.present() && !appear(walking, now_s))) return;
+  if (walking.walker.held_up_s() > kPatienceS) yield(walking, now_s);
+  if (walking.walker.arrived()) {
+    if (!walking.yielding) {
+      end_of_way(walking);
+    } else if (now_s - walking.yielded_at_s > kYieldS) {
+      walking.yielding = false;
+      walking.walker.go(walking.after, walking.speed_m_s, walking.after_doors);
+    }
+  }
+  if (walking.walker.present()) walking.walker.decide(around_);
+}
+
+bool People::appear(Walking& walking, double now_s) {
+  const Point2& from = walking.way.front();
+  if (now_s < walking.from_s) return false;
+  if (distance_m(from, {around_.robot.x_m, around_.robot.y_m}) < kAppearM) return false;
+  for (std::size_t slot = 0; slot < slots_.size(); ++slot) {
+    const Walker* other = walker_of(slot);
+    if (other->present() && distance_m(from, other->at()) < 1.0) return false;
+  }
+  const Point2& next = walking.way[1];
+  walking.walker.appear({from.x_m, from.y_m, std::atan2(next.y_m - from.y_m, next.x_m - from.x_m)},
+                        walking.look);
+  walking.walker.go(walking.way, walking.speed_m_s);
+  return true;
+}
+
+void People::end_of_way(Walking& walking) {
+  Walker& walker = walking.walker;
+  if (walking.leaving) {
+    walker.vanish();
+    walking.done = true;
+  } else if (walking.repeat) {
+    std::reverse(walking.way.begin(), walking.way.end());
+    walker.go(walking.way, walking.speed_m_s);
+  } else if (auto out = way_out(walker.at(), doors_, map_, 20.0)) {
+    walking.leaving = true;
+    walking.after_doors = {out->door};
+    walker.go(std::move(out->way), walking.speed_m_s, walking.after_doors);
+  } else {  // he stays where his way ends
+    walking.done = true;
+    walker.stand();
+  }
+}
+
+/// Robot and person stand before each other and neither can pass: the person goes back a little to
+/// the side, waits, and tries again.
+void People::yield(Walking& walking, double now_s) {
+  Walker& walker = walking.walker;
+  const Point2 here = walker.at();
+  const Pose2 robot = plan_.along(around_.robot);
+  const Pose2 me = plan_.along({here.x_m, here.y_m, 0.0});
+  if (!walking.yielding) walking.after = walker.rest_of_way();
+  if (walking.after.size() < 2) return;
+  const double away = me.x_m >= robot.x_m ? 1.0 : -1.0;
+  for (const double back : {2.5, 1.5, 0.8}) {
+    for (const double left : {0.8, -0.8, 0.5, -0.5}) {
+      const Pose2 pose = plan_.at(me.x_m + away * back, me.y_m >= 0.0 ? left : -left);
+      if (map_.at({pose.x_m, pose.y_m}) < kRoomM) continue;
+      auto way = map_.way(here, {pose.x_m, pose.y_m}, kRoomM);
+      if (!way) continue;
+      walking.yielding = true;
+      walking.yielded_at_s = now_s;
+      walker.go(std::move(*way), walking.speed_m_s);
+      return;
+    }
+  }
+}
+
+std::string People::name(std::size_t slot) const {
+  return fmt::format("person_{}", slot + 1);
+}
+
+std::vector<PersonState> People::states() const {
+  std::vector<PersonState> states;
+  for (std::size_t slot = 0; slot < slots_.size(); ++slot) {
+    if (bodies_[slot].present) states.push_back(slots_[slot]);
+  }
+  return states;
+}
+
+void People::publish(double dt_s) {
+  for (std::size_t slot = 0; slot < slots_.size(); ++slot) {
+    const Walker* walker = walker_of(slot);
+    PersonBody& body = bodies_[slot];
+    const Passer passer = walker->passer();
+    body.present = walker->present();
+    body.velocity_x_m_s = passer.velocity_x_m_s;
+    body.velocity_y_m_s = passer.velocity_y_m_s;
+    // The physics moves him itself from where he was.
+    body.at = {passer.at.x_m - passer.velocity_x_m_s * dt_s,
+               passer.at.y_m - passer.velocity_y_m_s * dt_s};
+    slots_[slot] = walker->state();
+  }
+}
+
+}  // namespace striate::simulator

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <array>
+
+#include "platform/interface/senses.hpp"
+#include "platform/simulator/physics.hpp"
+#include "platform/simulator/random.hpp"
+#include "platform/simulator/simulator_settings.hpp"
+
+namespace striate::simulator {
+
+/// Where the Pioneer's sixteen discs sit and look, from the axle.
+[[nodiscard]] const std::array<Pose2, 16>& sonar_poses();
+
+/// Two arrays of eight discs. In each array one disc fires every 40 ms, so that a disc is 320 ms
+/// old when its turn comes again. An echo comes from the nearest thing in the beam that throws
+/// sound back: a smooth wall does so only where it stands nearly square to the beam.
+class Sonar {
+ public:
+  Sonar(std::uint64_t seed, const SensorSettings& settings);
+  /// Fires the discs that are due by `now_s`.
+  void step(double now_s, const Physics& physics);
+  /// The newest echo of every disc, seen from the axle; stamped with the newest firing.
+  [[nodiscard]] const RangeScan& scan() const { return scan_; }
+
+ private:
+  void fire(std::size_t disc, const Physics& physics);
+  Random random_;
+  SensorSettings settings_;
+  RangeScan scan_;
+  std::uint64_t fired_ = 0;
+};
+
+/// A laser scanner at the Pioneer's usual place: 181 rays over the front half circle.
+class Laser {
+ public:
+  Laser(std::uint64_t seed, const SensorSettings& settings)
+      : random_(seed, Purpose::laser), settings_(settings) {}
+  /// A whole sweep at this moment.
+  [[nodiscard]] RangeScan sweep(TimePoint now, const Physics& physics);
+
+ private:
+  Random random_;
+  SensorSettings settings_;
+  std::uint64_t rays_ = 0;
+};
+
+}  // namespace striate::simulator

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "platform/interface/robot.hpp"
+#include "platform/simulator/judge.hpp"
+#include "platform/simulator/picture_source.hpp"
+#include "platform/simulator/simulator_settings.hpp"
+#include "platform/simulator/world.hpp"
+
+namespace striate::simulator {
+
+/// The default body: a Pioneer 3-DX in a corridor that exists only here. Its clock stands still
+/// between two calls of sense(), so a run is as fast as the machine, and the same world, seed and
+/// commands give the same senses, bit for bit. Nothing is shared between two of them: many can run
+/// in threads of one program.
+class SimulatedPioneer : public Robot {
+ public:
+  /// `pictures` may be null: then no picture ever comes. It must outlive the robot.
+  SimulatedPioneer(const World& world, std::uint64_t seed, const SimulatorSettings& settings,
+                   PictureSource* pictures, const RobotDescription& robot = {});
+  ~SimulatedPioneer() override;
+
+  [[nodiscard]] const RobotDescription& description() const override;
+  [[nodiscard]] const Clock& clock() const override;
+
+  /// Lets one cycle (100 ms) pass in the corridor. False: the run is over; `senses` is filled
+  /// then, too.
+  bool sense(Senses& senses) override;
+  void send(const MotorCommand& command) override;
+  void stop() noexcept override;
+
+  /// The truth, for judging alone.
+  [[nodiscard]] const Judge& judge() const;
+  /// Everything that moves, as it is now: for pictures of the run.
+  [[nodiscard]] SceneState scene() const;
+  [[nodiscard]] const FloorPlan& plan() const;
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace striate::simulator

@@ -1,0 +1,157 @@
+#include "platform/simulator/stepper.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "platform/simulator/obstacle_shapes.hpp"
+
+namespace striate::simulator {
+namespace {
+
+constexpr double kNearestM = 1.2;  ///< before the robot's front
+constexpr double kFarthestM = 2.5;
+constexpr double kSparedM = 0.6;  ///< beyond what the robot needs to stop
+constexpr double kPaceM_s = 1.1;
+constexpr double kRoomM = kPersonRadius_m + 0.02;
+constexpr double kDoorPatienceS = 12.0;  ///< waits this long for a door to come up
+constexpr double kAheadM = 12.0;         ///< appears this far ahead where no door is
+constexpr double kAheadLeastM = 8.0;
+constexpr double kGoneM = 9.0;  ///< so far away he may vanish without a door
+
+}  // namespace
+
+Stepper::Stepper(const StepInFront& step, std::uint64_t seed, std::uint64_t number)
+    : step_(step), random_(seed, Purpose::step_in_front), drawn_(number << 32) {
+  look_ = static_cast<int>(random_.bits(drawn_++) % 64);
+  be_gone(0.0);
+}
+
+void Stepper::be_gone(double now_s) {
+  walker_.vanish();
+  doing_ = Doing::nothing;
+  due_s_ = step_.per_minute > 0.0 ? now_s + draw(0.5, 1.5) * 60.0 / step_.per_minute
+                                  : std::numeric_limits<double>::infinity();
+  before_m_ = draw(kNearestM, kFarthestM);
+  aside_m_ = draw(-0.2, 0.2);
+}
+
+void Stepper::decide(double now_s, const Place& place, const Surroundings& around) {
+  switch (doing_) {
+    case Doing::nothing:
+      try_to_come(now_s, place, around);
+      return;
+    case Doing::coming: {
+      const Point2 seen = to_inner(around.robot, walker_.at());
+      const bool too_late = seen.x_m < place.robot.front_m;
+      if (walker_.arrived() || walker_.held_up_s() > 1.5 || too_late) {
+        walker_.stand();
+        doing_ = Doing::waiting;
+        since_s_ = now_s;
+      }
+      break;
+    }
+    case Doing::waiting:
+      walker_.face({around.robot.x_m, around.robot.y_m});
+      if (now_s - since_s_ >= step_.wait_s) {
+        leave(place, around);
+        doing_ = Doing::leaving;
+        since_s_ = now_s;
+      }
+      break;
+    case Doing::leaving: {
+      const bool far = distance_m(walker_.at(), {around.robot.x_m, around.robot.y_m}) > kGoneM;
+      if (through_door_ ? walker_.arrived() : far) {
+        be_gone(now_s);
+        return;
+      }
+      if (walker_.arrived() || walker_.held_up_s() > 5.0) leave(place, around);
+      break;
+    }
+  }
+  walker_.decide(around);
+}
+
+void Stepper::try_to_come(double now_s, const Place& place, const Surroundings& around) {
+  if (now_s < due_s_ || around.robot_forward_m_s < 0.1) return;
+  const bool comes = come_through_a_door(place, around) ||
+                     (now_s > due_s_ + kDoorPatienceS && come_from_ahead(place, around));
+  if (!comes) return;
+  doing_ = Doing::coming;
+  since_s_ = now_s;
+}
+
+bool Stepper::come_through_a_door(const Place& place, const Surroundings& around) {
+  const double v = around.robot_forward_m_s;
+  const double before = std::max(before_m_, stopping_way_m(v, place.robot) + kSparedM);
+  for (const Doorway& door : *place.doors) {
+    // Robot and person meet: while he walks the robot comes nearer.
+    const Point2 seen = to_inner(around.robot, door.inside);
+    const double walk_s = (std::abs(seen.y_m) + distance_m(door.outside, door.inside)) / kPaceM_s;
+    const double ahead = place.robot.front_m + v * walk_s + before + kPersonRadius_m;
+    if (std::abs(seen.x_m - ahead) > 0.5 || std::abs(seen.y_m) > 2.5) continue;
+    const Point2 target = to_outer(around.robot, Point2{ahead, aside_m_});
+    if (place.map->at(target) < kRoomM) continue;
+    auto way = place.map->way(door.inside, target, kRoomM);
+    if (!way) continue;
+    way->insert(way->begin(), door.outside);
+    walker_.appear(
+        {door.outside.x_m, door.outside.y_m,
+         std::atan2(door.inside.y_m - door.outside.y_m, door.inside.x_m - door.outside.x_m)},
+        look_);
+    walker_.go(std::move(*way), kPaceM_s, {door.sill});
+    return true;
+  }
+  return false;
+}
+
+bool Stepper::come_from_ahead(const Place& place, const Surroundings& around) {
+  const Pose2 corridor = place.plan->along(around.robot);
+  const double sign = std::cos(corridor.heading_rad) >= 0.0 ? 1.0 : -1.0;
+  const double end = sign > 0.0 ? place.world->length_m - corridor.x_m : corridor.x_m;
+  const double away = std::min(kAheadM, end - 0.5);
+  if (away < kAheadLeastM) return false;
+  const double v = around.robot_forward_m_s;
+  const double before = std::max(before_m_, stopping_way_m(v, place.robot) + kSparedM);
+  const double fixed = place.robot.front_m + before + kPersonRadius_m;
+  const double meet_m = fixed + v * (away - fixed) / (v + kPaceM_s);
+  const auto in_plan = [&](double ahead_m, double left_m) {
+    const Pose2 pose = place.plan->at(corridor.x_m + sign * ahead_m, left_m);
+    return Point2{pose.x_m, pose.y_m};
+  };
+  const Point2 from = in_plan(away, corridor.y_m > 0.0 ? -0.6 : 0.6);
+  const Point2 target = in_plan(meet_m, corridor.y_m + aside_m_);
+  if (place.map->at(from) < kRoomM || place.map->at(target) < kRoomM) return false;
+  for (const Passer& other : around.others) {
+    if (distance_m(other.at, from) < 1.0) return false;
+  }
+  auto way = place.map->way(from, target, kRoomM);
+  if (!way) return false;
+  walker_.appear({from.x_m, from.y_m, std::atan2(target.y_m - from.y_m, target.x_m - from.x_m)},
+                 look_);
+  walker_.go(std::move(*way), kPaceM_s);
+  return true;
+}
+
+void Stepper::leave(const Place& place, const Surroundings& around) {
+  if (auto out = way_out(walker_.at(), *place.doors, *place.map, 15.0)) {
+    through_door_ = true;
+    walker_.go(std::move(out->way), kPaceM_s, {out->door});
+    return;
+  }
+  // No door near: away from the robot, along the corridor, until nobody would see him vanish.
+  through_door_ = false;
+  const Pose2 corridor = place.plan->along({walker_.at().x_m, walker_.at().y_m, 0.0});
+  const Pose2 robot = place.plan->along(around.robot);
+  const double goal = corridor.x_m >= robot.x_m
+                          ? std::min(corridor.x_m + 15.0, place.world->length_m - 0.5)
+                          : std::max(corridor.x_m - 15.0, 0.5);
+  for (const double left : {0.6, -0.6, 0.0}) {
+    const Pose2 pose = place.plan->at(goal, left);
+    if (auto way = place.map->way(walker_.at(), {pose.x_m, pose.y_m}, kRoomM)) {
+      walker_.go(std::move(*way), kPaceM_s);
+      return;
+    }
+  }
+}
+
+}  // namespace striate::simulator

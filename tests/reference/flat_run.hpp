@@ -1,0 +1,86 @@
+#pragma once
+
+#include <deque>
+#include <functional>
+#include <string>
+
+#include "behaviours/arbiter.hpp"
+#include "behaviours/behaviour.hpp"
+#include "behaviours/safety_limiter.hpp"
+#include "memory/short_term_memory.hpp"
+#include "tests/reference/flat_camera.hpp"
+
+/// The whole loop in the flat world: see, remember, want, move. As in the judged runs the
+/// emergency layer is off: there is neither sonar nor laser here.
+namespace striate::flat {
+
+struct RunResult {
+  bool reached = false;
+  bool touched = false;
+  bool touched_person = false;
+  Progress progress = Progress::running;
+  double duration_s = 0.0;
+  double nearest_m = 0.0;
+  Pose2 end;
+  std::string why;
+};
+
+class Loop {
+ public:
+  Loop(const Layout& layout, std::uint64_t seed, const CameraErrors& errors = {})
+      : world(layout, robot, seed), camera(seed, errors), memory({}, robot), limiter({}, robot) {}
+
+  /// One cycle of 100 ms. Pictures arrive one cycle after they were taken.
+  Wish cycle(Behaviour& behaviour, const char* name) {
+    world.advance(0.1);
+    senses.now = TimePoint(std::chrono::milliseconds(100 * ++cycles));
+    senses.odometry = {senses.now, world.odometry(), world.forward_m_s(), world.turn_rad_s()};
+    senses.head = world.head();
+    if (!camera_off) pictures.push_back(camera.look(world, senses.now));
+    if (pictures.size() > 1) {
+      arrived = std::move(pictures.front());
+      pictures.pop_front();
+    }
+    memory.update(senses, arrived);
+    if (cycles == 2) behaviour.start(memory);
+    Wish wish = cycles < 2 ? standing_wish(memory, "waits for eyes") : behaviour.tick(memory);
+    arbiter.offer(MotorOwner::behaviour, wish);
+    const MotorCommand command = limiter.limit(arbiter.decide(senses.now), senses, memory);
+    memory.remember(command, name);
+    world.send(command);
+    return wish;
+  }
+
+  RunResult run(Behaviour& behaviour, double limit_s,
+                const std::function<void(const Wish&)>& watch = {}) {
+    RunResult result;
+    while (world.time_s() < limit_s) {
+      const Wish wish = cycle(behaviour, "traverse_corridor");
+      if (watch) watch(wish);
+      result.why = std::string(wish.why.view());
+      result.progress = wish.progress;
+      result.touched = world.touched();
+      result.reached = world.pose().x_m > world.layout().goal_x_m;
+      if (result.touched || result.reached || wish.progress != Progress::running) break;
+    }
+    result.touched_person = world.touched_person();
+    result.duration_s = world.time_s();
+    result.nearest_m = world.nearest_m();
+    result.end = world.pose();
+    return result;
+  }
+
+  RobotDescription robot;
+  World world;
+  Camera camera;
+  ShortTermMemory memory;
+  SafetyLimiter limiter;
+  Arbiter arbiter;
+  Senses senses;
+  Percept arrived;
+  std::deque<Percept> pictures;
+  int cycles = 0;
+  bool camera_off = false;
+};
+
+}  // namespace striate::flat

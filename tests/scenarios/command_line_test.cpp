@@ -1,0 +1,107 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/scenarios/striate_process.hpp"
+
+namespace striate::scenarios {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+TEST(CommandLine, HelpTeachesAndVersionTells) {
+  const Ended help = striate({"--help"});
+  EXPECT_EQ(help.exit_code, 0);
+  EXPECT_THAT(help.out, AllOf(HasSubstr("striate run config/tasks/corridor.yaml"),
+                              HasSubstr("perceive"), HasSubstr("Exit codes")));
+  const Ended version = striate({"--version"});
+  EXPECT_EQ(version.exit_code, 0);
+  EXPECT_THAT(version.out, HasSubstr("striate 0."));
+  EXPECT_EQ(striate({}).exit_code, 2);
+  EXPECT_EQ(striate({"fly"}).exit_code, 2);
+  EXPECT_EQ(striate({"run", "--sed", "7"}).exit_code, 2);
+}
+
+TEST(CommandLine, EveryShippedFilePassesTheCheck) {
+  std::vector<std::string> arguments = {"check"};
+  for (const char* folder : {"tasks", "worlds", "robots"}) {
+    for (const auto& entry : std::filesystem::directory_iterator(std::string(STRIATE_SOURCE_DIR) +
+                                                                 "/config/" + folder)) {
+      if (entry.path().extension() == ".yaml") arguments.push_back(entry.path().string());
+    }
+  }
+  ASSERT_GE(arguments.size(), 6U);
+  const Ended ended = striate(arguments);
+  EXPECT_EQ(ended.exit_code, 0) << ended.err;
+}
+
+TEST(CommandLine, ABrokenTaskIsToldWithItsPlacesAndNothingRuns) {
+  const TemporaryFolder folder;
+  const std::string task =
+      folder.write("t.yaml", "striate: 1\ndo:\n  - fly: {}\n  - wait: {for: 3}\n");
+  const std::string result = folder / "r.json";
+  const Ended ended =
+      striate({"run", task, "--world", "config/worlds/short.yaml", "--result", result});
+  EXPECT_EQ(ended.exit_code, 2);
+  EXPECT_THAT(ended.err, AllOf(HasSubstr("t.yaml:3:5: error: unknown action 'fly'"),
+                               HasSubstr("t.yaml:4:17: error: '3' has no unit")));
+  EXPECT_FALSE(std::filesystem::exists(result));
+}
+
+TEST(CommandLine, ABrokenWorldIsToldWithAllItsPlaces) {
+  const TemporaryFolder folder;
+  const std::string world = folder.write(
+      "w.yaml",
+      "striate_world: 1\nname: w\ncorridor: {length: 60, width: 2.4 m, height: 2.7 m}\n"
+      "dors: []\n");
+  const Ended ended = striate({"run", "config/tasks/corridor.yaml", "--world", world});
+  EXPECT_EQ(ended.exit_code, 2);
+  EXPECT_THAT(ended.err, AllOf(HasSubstr("w.yaml:3:20: error:"), HasSubstr("w.yaml:4:1: error:")));
+}
+
+TEST(CommandLine, BrokenSettingsAreToldWithAllTheirPlaces) {
+  const TemporaryFolder folder;
+  const std::string robot =
+      folder.write("r.yaml", "safety:\n  stop: 6\n  slow_sped: 0.3 m/s\nfoo: 1\n");
+  const Ended ended = striate({"config", "--robot", robot});
+  EXPECT_EQ(ended.exit_code, 2);
+  EXPECT_THAT(ended.err,
+              AllOf(HasSubstr("r.yaml:2:9: error: '6' has no unit"),
+                    HasSubstr("r.yaml:3:3: error: unknown key 'slow_sped'"),
+                    HasSubstr("did you mean 'slow_speed'?"), HasSubstr("r.yaml:4:1: error:")));
+}
+
+TEST(CommandLine, ConfigTellsEveryValueAndWhereItCameFrom) {
+  const TemporaryFolder folder;
+  const std::string robot = folder.write("r.yaml", "safety:\n  stop: 7 cm\n");
+  const Ended ended = striate({"config", "--robot", robot});
+  EXPECT_EQ(ended.exit_code, 0) << ended.err;
+  EXPECT_THAT(ended.out, testing::ContainsRegex("safety.stop +0.07 m +[^\n]*r.yaml:2"));
+  EXPECT_THAT(ended.out, testing::ContainsRegex("safety.slow_speed +0.3 m/s +default"));
+}
+
+TEST(CommandLine, SimRendersAPlaceAndRefusesNonsense) {
+  const TemporaryFolder folder;
+  const std::string picture = folder / "v.png";
+  const Ended good = striate(
+      {"sim", "config/worlds/short.yaml", "--picture", picture, "--at", "2 m, 0.2 m, 5 deg"});
+  EXPECT_EQ(good.exit_code, 0) << good.err;
+  EXPECT_GT(std::filesystem::file_size(picture), 10000U);
+  const Ended bad = striate({"sim", "config/worlds/short.yaml", "--picture", picture, "--at", "2"});
+  EXPECT_EQ(bad.exit_code, 2);
+  EXPECT_THAT(bad.err, HasSubstr("12 m, 0.2 m, 5 deg"));
+}
+
+TEST(CommandLine, AResultThatCannotBeWrittenIsSaid) {
+  const Ended ended =
+      striate({"run", "config/tasks/corridor.yaml", "--world", "config/worlds/short.yaml",
+               "--quiet", "--result", "/proc/no/r.json"});
+  EXPECT_EQ(ended.exit_code, 1);
+  EXPECT_THAT(ended.err, HasSubstr("/proc/no/r.json: cannot be written"));
+}
+
+}  // namespace
+}  // namespace striate::scenarios

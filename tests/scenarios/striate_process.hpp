@@ -1,0 +1,82 @@
+#pragma once
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <thread>
+#include <vector>
+
+/// Runs the command `striate` as a user would, in the source tree.
+namespace striate::scenarios {
+
+struct Ended {
+  int exit_code = -1;
+  std::string out;
+  std::string err;
+};
+
+inline std::string read_text(const std::string& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::stringstream text;
+  text << stream.rdbuf();
+  return text.str();
+}
+
+/// A folder that is gone when the test is over.
+class TemporaryFolder {
+ public:
+  TemporaryFolder() {
+    std::string pattern = (std::filesystem::temp_directory_path() / "striate_XXXXXX").string();
+    path_ = mkdtemp(pattern.data());
+  }
+  ~TemporaryFolder() { std::filesystem::remove_all(path_); }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  [[nodiscard]] std::string operator/(const std::string& name) const { return path_ + "/" + name; }
+  [[nodiscard]] std::string write(const std::string& name, const std::string& text) const {
+    std::ofstream(*this / name) << text;
+    return *this / name;
+  }
+
+ private:
+  std::string path_;
+};
+
+/// @param signal_after when not zero, SIGINT is sent after this time.
+inline Ended striate(const std::vector<std::string>& arguments,
+                     std::chrono::milliseconds signal_after = {}) {
+  const TemporaryFolder folder;
+  const std::string out_file = folder / "out";
+  const std::string err_file = folder / "err";
+  const pid_t child = fork();
+  if (child == 0) {
+    if (chdir(STRIATE_SOURCE_DIR) != 0 || freopen(out_file.c_str(), "w", stdout) == nullptr ||
+        freopen(err_file.c_str(), "w", stderr) == nullptr) {
+      _exit(99);
+    }
+    std::vector<std::string> words = {STRIATE_BINARY};
+    words.insert(words.end(), arguments.begin(), arguments.end());
+    std::vector<char*> argv;
+    for (std::string& word : words) argv.push_back(word.data());
+    argv.push_back(nullptr);
+    execv(argv[0], argv.data());
+    _exit(98);
+  }
+  if (signal_after.count() > 0) {
+    std::this_thread::sleep_for(signal_after);
+    kill(child, SIGINT);
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_text(out_file), read_text(err_file)};
+}
+
+}  // namespace striate::scenarios

@@ -1,0 +1,214 @@
+#include "behaviours/safety_limiter.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "tests/reference/looks.hpp"
+
+namespace striate {
+namespace {
+
+class Limiter : public testing::Test {
+ protected:
+  /// One cycle with fresh picture and the same wish.
+  MotorCommand cycle(double forward_m_s, double turn_rad_s, const Percept* shown = nullptr) {
+    ms += 100;
+    senses.now = looks::at_ms(ms);
+    senses.odometry.stamp = senses.now;
+    Percept percept = shown != nullptr ? *shown : looks::blank_percept(ms);
+    percept.stamp = looks::at_ms(ms - picture_age_ms);
+    memory.update(senses, percept);
+    Wish wish = standing_wish(memory, "test");
+    wish.forward_m_s = forward_m_s;
+    wish.turn_rad_s = turn_rad_s;
+    wish.stamp = looks::at_ms(ms - wish_age_ms);
+    return limiter.limit(wish, senses, memory);
+  }
+  MotorCommand settle(double forward_m_s, double turn_rad_s, const Percept* shown = nullptr) {
+    MotorCommand command;
+    for (int i = 0; i < 20; ++i) command = cycle(forward_m_s, turn_rad_s, shown);
+    return command;
+  }
+  void echo(double bearing_rad, double distance_m) {
+    senses.laser.readings = {{bearing_rad, distance_m}};
+  }
+  Percept thing_at(double bearing_rad, double distance_m) {
+    Percept percept = looks::blank_percept(ms, bearing_rad);
+    looks::see_thing(percept, bearing_rad, 0.15, distance_m);
+    return percept;
+  }
+
+  RobotDescription robot;
+  ShortTermMemory memory{{}, robot};
+  SafetyLimiterSettings settings;
+  SafetyLimiter limiter{settings, robot};
+  Senses senses;
+  int ms = 0;
+  int picture_age_ms = 100;
+  int wish_age_ms = 0;
+};
+
+TEST_F(Limiter, LetsAWishThroughWhereNothingIsWrong) {
+  const MotorCommand command = settle(0.4, 0.2);
+  EXPECT_NEAR(command.forward_m_s, 0.4, 1e-9);
+  EXPECT_NEAR(command.turn_rad_s, 0.2, 1e-9);
+  EXPECT_EQ(limiter.reason(), LimitReason::none);
+}
+
+TEST_F(Limiter, NeverAddsMotion) {
+  for (double v = -0.7; v <= 0.7; v += 0.1) {
+    for (double w = -1.0; w <= 1.0; w += 0.25) {
+      echo(0.3, 0.1 + std::abs(v));
+      const MotorCommand command = cycle(v, w);
+      EXPECT_LE(std::abs(command.forward_m_s), std::abs(v) + 1e-9);
+      EXPECT_LE(std::abs(command.turn_rad_s), std::abs(w) + 1e-9);
+      EXPECT_GE(command.forward_m_s * v, -1e-9);
+      EXPECT_GE(command.turn_rad_s * w, -1e-9);
+    }
+  }
+}
+
+TEST_F(Limiter, GathersSpeedNoFasterThanTheBodyMay) {
+  EXPECT_NEAR(cycle(0.45, 0.0).forward_m_s, 0.05, 1e-9);
+  EXPECT_EQ(limiter.reason(), LimitReason::acceleration);
+  EXPECT_NEAR(cycle(0.45, 0.0).forward_m_s, 0.10, 1e-9);
+  settle(0.45, 0.0);
+  EXPECT_EQ(cycle(0.0, 0.0).forward_m_s, 0.0);  // a stop is never delayed
+}
+
+TEST_F(Limiter, AnOldPictureSlowsThenStops) {
+  settle(0.4, 0.0);
+  picture_age_ms = 240;
+  EXPECT_NEAR(settle(0.4, 0.0).forward_m_s, 0.4, 1e-9);
+  picture_age_ms = 400;
+  const double slowed = settle(0.4, 0.0).forward_m_s;
+  EXPECT_LT(slowed, 0.3);
+  EXPECT_GT(slowed, 0.05);
+  picture_age_ms = 510;
+  cycle(0.4, 0.5);
+  const MotorCommand command = cycle(0.4, 0.5);
+  EXPECT_EQ(command.forward_m_s, 0.0);
+  EXPECT_EQ(command.turn_rad_s, 0.0);
+  EXPECT_EQ(limiter.reason(), LimitReason::picture_old);
+}
+
+TEST_F(Limiter, StandsBeforeTheFirstPicture) {
+  Senses blind = looks::senses_at(100, {});
+  memory.update(blind, Percept{});
+  Wish wish = standing_wish(memory, "test");
+  wish.forward_m_s = 0.3;
+  EXPECT_EQ(limiter.limit(wish, blind, memory).forward_m_s, 0.0);
+}
+
+TEST_F(Limiter, AnOldWishDoesNotDrive) {
+  settle(0.4, 0.0);
+  wish_age_ms = 200;
+  EXPECT_NEAR(cycle(0.4, 0.0).forward_m_s, 0.4, 1e-9);
+  wish_age_ms = 210;
+  EXPECT_EQ(cycle(0.4, 0.0).forward_m_s, 0.0);
+  EXPECT_EQ(limiter.reason(), LimitReason::wish_old);
+}
+
+TEST_F(Limiter, SlowsInTheApproachZoneAndStopsBeforeAnEcho) {
+  settle(0.45, 0.0);
+  echo(0.0, 1.3);
+  EXPECT_NEAR(cycle(0.45, 0.0).forward_m_s, 0.45, 1e-6);
+  echo(0.0, 0.21 + 0.10 + 0.30);
+  const double slowed = cycle(0.45, 0.0).forward_m_s;
+  EXPECT_LT(slowed, 0.35);
+  EXPECT_GT(slowed, 0.1);
+  echo(0.0, 0.21 + 0.09);
+  EXPECT_EQ(cycle(0.45, 0.0).forward_m_s, 0.0);
+  EXPECT_EQ(limiter.reason(), LimitReason::emergency_range);
+}
+
+TEST_F(Limiter, CountsEachTimeTheEmergencyLayerStepsInOnce) {
+  settle(0.45, 0.0);
+  for (int time = 1; time <= 3; ++time) {
+    echo(0.0, 0.25);
+    for (int i = 0; i < 5; ++i) cycle(0.3, 0.0);
+    EXPECT_EQ(limiter.emergency_stops(), time);
+    senses.laser.readings.clear();
+    settle(0.3, 0.0);
+  }
+}
+
+TEST_F(Limiter, WithTheEmergencyLayerOffEchoesDoNothing) {
+  settings.emergency_layer = false;
+  limiter = SafetyLimiter(settings, robot);
+  echo(0.0, 0.25);
+  EXPECT_NEAR(settle(0.4, 0.0).forward_m_s, 0.4, 1e-9);
+  EXPECT_EQ(limiter.emergency_stops(), 0);
+}
+
+TEST_F(Limiter, WhatMemoryHoldsStopsTheRobotAlsoWithoutTheEmergencyLayer) {
+  settings.emergency_layer = false;
+  limiter = SafetyLimiter(settings, robot);
+  const Percept wall = thing_at(0.0, 0.32);
+  EXPECT_LT(settle(0.4, 0.0, &wall).forward_m_s, 0.02);
+  EXPECT_EQ(limiter.reason(), LimitReason::memory_stop);
+  EXPECT_EQ(limiter.emergency_stops(), 0);
+}
+
+TEST_F(Limiter, TheRobotMayAlwaysBackAwayAndTurnAway) {
+  const Percept wall = thing_at(0.0, 0.30);
+  settle(0.0, 0.0, &wall);
+  EXPECT_NEAR(settle(-0.2, 0.0, &wall).forward_m_s, -0.2, 1e-9);
+}
+
+TEST_F(Limiter, AThingAtACornerForbidsTurningTowardsItAndNotAway) {
+  senses.laser.readings = {{radians(50.0), 0.38}};
+  EXPECT_NEAR(settle(0.0, -0.6).turn_rad_s, -0.6, 1e-9);
+  senses.laser.readings = {{radians(50.0), 0.33}};
+  EXPECT_LT(settle(0.0, 0.6).turn_rad_s, 0.1);
+}
+
+TEST_F(Limiter, AThingBesideDoesNotStopDrivingPast) {
+  echo(radians(90.0), 0.2125 + 0.12);
+  EXPECT_NEAR(settle(0.3, 0.0).forward_m_s, 0.3, 1e-9);
+}
+
+TEST_F(Limiter, AGapThatLeavesRoomIsPassed) {
+  // Two posts 0.75 m apart, half a metre ahead.
+  senses.laser.readings = {{std::atan2(0.375, 0.5), std::hypot(0.375, 0.5)},
+                           {std::atan2(-0.375, 0.5), std::hypot(0.375, 0.5)}};
+  EXPECT_GT(settle(0.15, 0.0).forward_m_s, 0.14);
+}
+
+TEST_F(Limiter, ABumperForbidsOnlyTheWayThatTouched) {
+  settle(0.3, 0.0);
+  senses.bumper = true;
+  EXPECT_EQ(cycle(0.3, 0.0).forward_m_s, 0.0);
+  EXPECT_EQ(limiter.reason(), LimitReason::bumper);
+  EXPECT_EQ(limiter.emergency_stops(), 1);
+  EXPECT_LT(settle(-0.1, 0.0).forward_m_s, -0.09);
+}
+
+TEST_F(Limiter, AStallIsNotPushedAgainst) {
+  settle(0.3, 0.0);
+  senses.motors_stalled = true;
+  EXPECT_EQ(cycle(0.3, 0.0).forward_m_s, 0.0);
+  EXPECT_EQ(limiter.reason(), LimitReason::stalled);
+  senses.motors_stalled = false;
+  EXPECT_EQ(cycle(0.3, 0.0).forward_m_s, 0.0);  // not at once
+  EXPECT_GT(settle(0.3, 0.0).forward_m_s, 0.2);
+}
+
+TEST_F(Limiter, ALowBatterySlowsAndAnEmptyOneStops) {
+  senses.battery_v = 11.0;
+  EXPECT_NEAR(settle(0.45, 0.0).forward_m_s, 0.2, 1e-6);
+  senses.battery_v = 10.5;
+  EXPECT_EQ(settle(0.45, 0.0).forward_m_s, 0.0);
+  EXPECT_EQ(limiter.reason(), LimitReason::battery_low);
+}
+
+TEST_F(Limiter, NonsenseIsNoMotion) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const MotorCommand command = settle(nan, std::numeric_limits<double>::infinity());
+  EXPECT_EQ(command.forward_m_s, 0.0);
+  EXPECT_EQ(command.turn_rad_s, 0.0);
+}
+
+}  // namespace
+}  // namespace striate

@@ -1,0 +1,152 @@
+#include <gtest/gtest.h>
+
+#include "behaviours/back_up.hpp"
+#include "behaviours/drive_straight.hpp"
+#include "behaviours/look_around.hpp"
+#include "behaviours/registry.hpp"
+#include "behaviours/stop.hpp"
+#include "behaviours/turn_to.hpp"
+#include "behaviours/wait.hpp"
+#include "tests/reference/flat_run.hpp"
+
+namespace striate {
+namespace {
+
+flat::Layout open_floor() {
+  flat::Layout layout;
+  layout.goal_x_m = 1e6;
+  return layout;
+}
+
+TEST(TurnTo, TurnsByAnAngle) {
+  flat::Loop loop(open_floor(), 1);
+  TurnTo turn({.by_rad = radians(-120.0)}, loop.robot);
+  EXPECT_EQ(loop.run(turn, 20.0).progress, Progress::succeeded);
+  EXPECT_NEAR(loop.memory.pose().heading_rad, radians(-120.0), 0.06);
+}
+
+TEST(TurnTo, TurnsToTheCorridorsHeading) {
+  flat::Loop loop(open_floor(), 1);
+  TurnTo away({.by_rad = 1.0}, loop.robot);
+  loop.run(away, 20.0);
+  TurnTo back({.heading_rad = radians(180.0)}, loop.robot);
+  back.start(loop.memory);
+  for (int i = 0; i < 120; ++i) {
+    if (loop.cycle(back, "turn_to").progress != Progress::running) break;
+  }
+  EXPECT_NEAR(std::abs(loop.memory.pose().heading_rad), radians(180.0), 0.06);
+}
+
+TEST(BackUp, DrivesBackAndKeepsItsHeading) {
+  flat::Loop loop(open_floor(), 1);
+  BackUp back({.distance_m = 0.5, .speed_m_s = 0.15}, loop.robot);
+  EXPECT_EQ(loop.run(back, 20.0).progress, Progress::succeeded);
+  EXPECT_NEAR(loop.world.pose().x_m, -0.5, 0.04);
+  EXPECT_NEAR(loop.world.pose().y_m, 0.0, 0.02);
+}
+
+TEST(DriveStraight, DrivesItsDistance) {
+  flat::Loop loop(open_floor(), 1);
+  DriveStraight drive({.distance_m = 2.0, .speed_m_s = 0.4}, loop.robot);
+  const flat::RunResult result = loop.run(drive, 30.0);
+  EXPECT_EQ(result.progress, Progress::succeeded);
+  EXPECT_NEAR(loop.world.pose().x_m, 2.0, 0.08);
+}
+
+TEST(DriveStraight, FailsBeforeAWallAndDoesNotTouchIt) {
+  flat::Layout layout = open_floor();
+  layout.faces.push_back({{2.5, -2.0}, {2.5, 2.0}, 0.0, 2.7, false});
+  flat::Loop loop(layout, 1);
+  DriveStraight drive({.distance_m = 4.0, .speed_m_s = 0.4}, loop.robot);
+  const flat::RunResult result = loop.run(drive, 60.0);
+  EXPECT_EQ(result.progress, Progress::failed);
+  EXPECT_FALSE(result.why.empty());
+  EXPECT_FALSE(result.touched);
+  EXPECT_GT(result.end.x_m, 1.5);
+}
+
+TEST(Wait, WaitsItsTime) {
+  flat::Loop loop(open_floor(), 1);
+  Wait wait({.for_s = 2.0}, loop.robot);
+  const flat::RunResult result = loop.run(wait, 20.0);
+  EXPECT_EQ(result.progress, Progress::succeeded);
+  EXPECT_NEAR(result.duration_s, 2.2, 0.11);
+  EXPECT_NEAR(result.end.x_m, 0.0, 1e-9);
+}
+
+TEST(Stop, SucceedsOnlyWhenTheRobotStands) {
+  flat::Loop loop(open_floor(), 1);
+  DriveStraight drive({.distance_m = 5.0, .speed_m_s = 0.4}, loop.robot);
+  for (int i = 0; i < 40; ++i) loop.cycle(drive, "drive_straight");
+  ASSERT_GT(loop.world.forward_m_s(), 0.3);
+  Stop stop({}, loop.robot);
+  EXPECT_EQ(loop.cycle(stop, "stop").progress, Progress::running);
+  Wish wish;
+  for (int i = 0; i < 20 && wish.progress == Progress::running; ++i)
+    wish = loop.cycle(stop, "stop");
+  EXPECT_EQ(wish.progress, Progress::succeeded);
+  EXPECT_LT(loop.world.forward_m_s(), 0.01);
+}
+
+TEST(LookAround, SeesWhatStandsBesideTheView) {
+  flat::Layout layout = open_floor();
+  flat::add_box(layout, {1.3, 1.8}, 0.5, 0.5, 0.0, 0.0, 1.0);
+  flat::Loop loop(layout, 1);
+  const auto known = [&loop] { return loop.memory.map().state(LocalGrid::cell_of({1.15, 1.52})); };
+  LookAround look({.pan_rad = radians(60.0), .dwell_s = 0.7}, loop.robot);
+  loop.cycle(look, "look_around");
+  loop.cycle(look, "look_around");
+  EXPECT_EQ(known(), FloorState::unknown);
+  Wish wish;
+  for (int i = 0; i < 300 && wish.progress == Progress::running; ++i) {
+    wish = loop.cycle(look, "look_around");
+  }
+  EXPECT_EQ(wish.progress, Progress::succeeded);
+  EXPECT_EQ(known(), FloorState::occupied);
+  EXPECT_NEAR(loop.world.head().pan_rad, 0.0, 0.06);
+  EXPECT_NEAR(loop.world.pose().x_m, 0.0, 1e-9);
+}
+
+config::Node map_of(const std::vector<std::pair<std::string, std::string>>& pairs) {
+  config::Node node;
+  node.kind = config::Node::Kind::map;
+  for (const auto& [key, value] : pairs) {
+    config::Node scalar;
+    scalar.kind = config::Node::Kind::scalar;
+    scalar.text = value;
+    node.entries.push_back({key, {}, scalar});
+  }
+  return node;
+}
+
+TEST(BehaviourRegistry, HasEveryBehaviourWithHelpAndDefaults) {
+  for (const char* name : {"traverse_corridor", "avoid", "look_around", "back_up", "turn_to",
+                           "drive_straight", "wait", "stop"}) {
+    const BehaviourEntry* entry = find_behaviour(name);
+    ASSERT_NE(entry, nullptr) << name;
+    EXPECT_FALSE(entry->help.empty());
+    config::Mistakes mistakes("test");
+    EXPECT_NE(entry->make({}, mistakes, {}), nullptr);
+    EXPECT_TRUE(mistakes.none()) << mistakes.text();
+  }
+  EXPECT_EQ(find_behaviour("fly"), nullptr);
+}
+
+TEST(BehaviourRegistry, ReadsArgumentsAndReportsWrongOnes) {
+  config::Mistakes mistakes("test");
+  const BehaviourEntry* entry = find_behaviour("traverse_corridor");
+  entry->make(map_of({{"speed", "0.4 m/s"}, {"keep", "left"}}), mistakes, {});
+  EXPECT_TRUE(mistakes.none()) << mistakes.text();
+  entry->make(map_of({{"sped", "0.4 m/s"}, {"keep", "up"}, {"speed", "4"}}), mistakes, {});
+  EXPECT_EQ(mistakes.list().size(), 3U) << mistakes.text();
+}
+
+TEST(BehaviourRegistry, ListsItsParameters) {
+  const auto lines = find_behaviour("back_up")->parameters();
+  ASSERT_EQ(lines.size(), 2U);
+  EXPECT_EQ(lines[0].key, "distance");
+  EXPECT_EQ(lines[0].value, "0.3 m");
+}
+
+}  // namespace
+}  // namespace striate

@@ -1,0 +1,213 @@
+#include <gtest/gtest.h>
+
+#include "perception/stereo/cost_kernels.hpp"
+#include "perception/stereo/phase_costs.hpp"
+#include "perception/stereo/semi_global.hpp"
+#include "perception/stereo/winner_kernels.hpp"
+#include "tests/reference/every_target.hpp"
+#include "tests/reference/semi_global_reference.hpp"
+#include "tests/reference/test_pictures.hpp"
+
+namespace striate {
+namespace {
+
+using reference::hash_noise;
+
+Plane<std::uint8_t> outside_plane(int width, int margin) {
+  Plane<std::uint8_t> outside;
+  outside.resize(width, 1, margin, 0);
+  std::fill(outside.row(0) - outside.margin(), outside.row(0), std::uint8_t{255});
+  return outside;
+}
+
+TEST(HammingCosts, AreTheBitsThatDifferOnEveryInstructionSet) {
+  constexpr int kWidth = 83, kCandidates = 24;
+  Plane<std::uint8_t> left, right;
+  left.resize(kWidth, kDescriptorPoints, 0, 0);
+  right.resize(kWidth, kDescriptorPoints, kCandidates + 4, 0);
+  for (int p = 0; p < kDescriptorPoints; ++p) {
+    for (int x = 0; x < kWidth; ++x) {
+      left.row(p)[x] = static_cast<std::uint8_t>(hash_noise(x, p, 1));
+      right.row(p)[x] = static_cast<std::uint8_t>(hash_noise(x, p, 2));
+    }
+  }
+  const Plane<std::uint8_t> outside = outside_plane(kWidth, kCandidates + 4);
+  reference::on_every_target([&](const std::string& name) {
+    Volume<std::uint8_t> costs;
+    costs.resize(1, kCandidates, kWidth);
+    stereo_kernels::hamming_costs({left.row(0), left.stride()}, {right.row(0), right.stride()},
+                                  outside.row(0), kWidth, kCandidates, costs.line(0),
+                                  costs.stride());
+    std::array<std::uint8_t, 256> best{};
+    stereo_kernels::smallest_cost(costs.line(0), costs.stride(), kWidth, kCandidates, best.data());
+    for (int x = 0; x < kWidth; ++x) {
+      int smallest = 1000, winner = 0;
+      for (int d = 0; d < kCandidates; ++d) {
+        int expected = d > x ? 255 : 0;
+        for (int p = 0; p < kDescriptorPoints && d <= x; ++p) {
+          expected += std::popcount(static_cast<unsigned>(left.row(p)[x] ^ right.row(p)[x - d]));
+        }
+        ASSERT_EQ(costs.line(0)[d * costs.stride() + x], expected) << name;
+        if (expected < smallest) {
+          smallest = expected;
+          winner = d;
+        }
+      }
+      ASSERT_EQ(best[static_cast<std::size_t>(x)], winner) << name;
+    }
+  });
+}
+
+TEST(SmallestCost, OfEqualCostsTheSmallestDisparityWins) {
+  Volume<std::uint8_t> costs;
+  costs.resize(1, 8, 64);
+  for (int d = 0; d < 8; ++d) {
+    std::fill(costs.line(0) + d * costs.stride(), costs.line(0) + d * costs.stride() + 64,
+              std::uint8_t(d == 3 || d == 5 ? 17 : 40));
+  }
+  std::array<std::uint8_t, 64> best{};
+  stereo_kernels::smallest_cost(costs.line(0), costs.stride(), 64, 8, best.data());
+  EXPECT_EQ(best[0], 3);
+  EXPECT_EQ(best[63], 3);
+}
+
+TEST(PhaseCosts, AreTheDistancesOf256BitDescriptorsOnEveryInstructionSet) {
+  constexpr int kWidth = 70, kHeight = 9, kDisparities = 16;
+  V1Cells cells({3.0, 0.3, 1.0, EvenMean::envelope});
+  std::array<PhaseCodes, 2> codes;
+  for (int eye = 0; eye < 2; ++eye) {
+    V1Responses responses;
+    cells.respond(reference::texture({kWidth, kHeight}, eye), 0, true, responses);
+    phase_codes(responses, eye * kDisparities, codes[static_cast<std::size_t>(eye)]);
+  }
+  const Plane<std::uint8_t> outside = outside_plane(kWidth, kDisparities);
+  reference::on_every_target([&](const std::string& name) {
+    PhaseCosts phase_costs;
+    Volume<std::uint8_t> costs;
+    phase_costs.compute(codes[0], codes[1], outside, kDisparities, costs);
+    for (int y = 0; y < kHeight; ++y) {
+      for (int x = 0; x < kWidth; ++x) {
+        for (int d = 0; d < kDisparities; ++d) {
+          int expected = 0;
+          for (const DescriptorPoint& point : kPhasePoints) {
+            for (std::size_t k = 0; k < kPhaseBytes; ++k) {
+              expected += std::popcount(
+                  static_cast<unsigned>(codes[0].bytes[k].row(y + point.dv)[x + point.du] ^
+                                        codes[1].bytes[k].row(y + point.dv)[x - d + point.du]));
+            }
+          }
+          expected = d > x ? 255 : std::min(255, expected);
+          ASSERT_EQ(costs.line(y)[d * costs.stride() + x], expected)
+              << name << " at " << x << ", " << y << ", disparity " << d;
+        }
+      }
+    }
+  });
+}
+
+reference::CostCube random_cube(int width, int height, int disparities) {
+  reference::CostCube cube(width, height, disparities);
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      for (int d = 0; d < disparities; ++d) {
+        cube.at(y, x, d) = d > x ? 255 : hash_noise(x * 64 + d, y, 3) % 140;
+      }
+    }
+  }
+  return cube;
+}
+
+TEST(SemiGlobal, SumsThePathCostsOfThePlainReferenceOnEveryInstructionSet) {
+  constexpr int kP1 = 20, kP2 = 80;
+  for (const cv::Size size : {cv::Size(70, 18), cv::Size(5, 3), cv::Size(1, 1)}) {
+    constexpr int kDisparities = 12;
+    const reference::CostCube cube = random_cube(size.width, size.height, kDisparities);
+    Volume<std::uint8_t> costs;
+    costs.resize(size.height, kDisparities, size.width);
+    for (int y = 0; y < size.height; ++y) {
+      for (int d = 0; d < kDisparities; ++d) {
+        for (int x = 0; x < size.width; ++x) {
+          costs.line(y)[d * costs.stride() + x] = static_cast<std::uint8_t>(cube.at(y, x, d));
+        }
+      }
+    }
+    std::vector<reference::CostCube> steep, level;
+    for (const int dx : {-1, 0, 1}) {
+      steep.push_back(reference::path_costs(cube, 1, dx, kP1, kP2));
+      steep.push_back(reference::path_costs(cube, -1, dx, kP1, kP2));
+    }
+    level.push_back(reference::path_costs(cube, 0, 1, kP1, kP2));
+    level.push_back(reference::path_costs(cube, 0, -1, kP1, kP2));
+    reference::on_every_target([&](const std::string& name) {
+      SemiGlobal semi_global(kP1, kP2);
+      semi_global.smooth(costs, size.height);
+      for (int y = 0; y < size.height; ++y) {
+        for (int x = 0; x < size.width; ++x) {
+          for (int d = 0; d < kDisparities; ++d) {
+            int sum = 0;
+            for (const auto& path : steep) sum += path.at(y, x, d);
+            const auto& sums = semi_global.steep_sums();
+            ASSERT_EQ(sums.line(y)[d * sums.stride() + x], sum)
+                << name << " at " << x << ", " << y << ", disparity " << d;
+            const int mean = (level[0].at(y, x, d) + level[1].at(y, x, d) + 1) / 2;
+            const auto& means = semi_global.level_means();
+            ASSERT_EQ(means.line(y)[d * means.stride() + x], mean) << name;
+          }
+        }
+      }
+    });
+  }
+}
+
+TEST(FindWinners, NameWinnerRunnerUpAndTheRightPicturesWinnerOnEveryInstructionSet) {
+  constexpr int kWidth = 45, kDisparities = 20;
+  Volume<std::uint16_t> steep;
+  Volume<std::uint8_t> level, costs;
+  costs.resize(1, kDisparities, kWidth);
+  steep.resize(1, kDisparities, kWidth);
+  level.resize(1, kDisparities, kWidth);
+  auto sum = [&](int x, int d) {
+    if (x >= kWidth || d > x) return 65535;
+    return hash_noise(x, d, 1) % 900 + 2 * (hash_noise(x, d, 2) % 200);
+  };
+  for (int d = 0; d < kDisparities; ++d) {
+    for (int x = 0; x < kWidth; ++x) {
+      steep.line(0)[d * steep.stride() + x] = static_cast<std::uint16_t>(hash_noise(x, d, 1) % 900);
+      level.line(0)[d * level.stride() + x] = static_cast<std::uint8_t>(hash_noise(x, d, 2) % 200);
+      costs.line(0)[d * costs.stride() + x] = static_cast<std::uint8_t>(hash_noise(x, d, 3));
+    }
+  }
+  const Plane<std::uint8_t> outside = outside_plane(kWidth, kDisparities + 4);
+  reference::on_every_target([&](const std::string& name) {
+    Plane<std::uint16_t> sums, rows;
+    sums.resize(kWidth, kDisparities, kDisparities + 64, 0);
+    rows.resize(kWidth, 5, 0, 0);
+    for (int d = 0; d < kDisparities; ++d) {
+      std::fill(sums.row(d), sums.row(d) - sums.margin() + sums.stride(), std::uint16_t{65535});
+    }
+    stereo_kernels::find_winners({steep.line(0), steep.stride(), level.line(0), level.stride(),
+                                  costs.line(0), outside.row(0), kWidth, kDisparities},
+                                 {sums.row(0), sums.stride(), rows.row(0), rows.row(1), rows.row(2),
+                                  rows.row(3), rows.row(4)});
+    for (int x = 0; x < kWidth; ++x) {
+      int best = 0, right_best = 0, second = 65535, raw_second = 255;
+      for (int d = 1; d < kDisparities; ++d) {
+        if (sum(x, d) < sum(x, best)) best = d;
+        if (sum(x + d, d) < sum(x + right_best, right_best)) right_best = d;
+      }
+      for (int d = 0; d < kDisparities; ++d) {
+        if (std::abs(d - best) <= 1) continue;
+        second = std::min(second, sum(x, d));
+        raw_second = std::min<int>(raw_second, static_cast<std::uint8_t>(hash_noise(x, d, 3)));
+      }
+      ASSERT_EQ(rows.row(0)[x], best) << name;
+      ASSERT_EQ(rows.row(1)[x], sum(x, best)) << name;
+      ASSERT_EQ(rows.row(2)[x], second) << name;
+      ASSERT_EQ(rows.row(3)[x], raw_second) << name;
+      ASSERT_EQ(rows.row(4)[x], right_best) << name;
+    }
+  });
+}
+
+}  // namespace
+}  // namespace striate
