@@ -1,5 +1,9 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
 #include "platform/simulator/obstacle_shapes.hpp"
 #include "platform/simulator/static_shapes.hpp"
 #include "platform/simulator/world_entry.hpp"
@@ -34,20 +38,39 @@ std::vector<Point2> read_points(WorldEntry& entry, const Node& list, config::Mis
   return points;
 }
 
-/// A person stands free of walls, pillars and obstacles here.
-void check_free(WorldEntry& entry, const World& world, const std::string& key, Point2 point) {
-  entry.check_inside(key, point, kPersonRadius_m);
+bool has_room(const Pose2& at, const FloorPlan& plan, const std::vector<StaticShape>& things) {
+  if (!inside_polygon({at.x_m, at.y_m}, plan.outline)) return false;
+  const ConvexShape person = disc({at.x_m, at.y_m}, kPersonRadius_m);
+  return std::none_of(things.begin(), things.end(), [&](const StaticShape& thing) {
+    return distance_m(person, thing.shape) <= 0.0;
+  });
+}
+
+/// The place nearest to `point` where a person has room between walls, pillars and obstacles: who
+/// writes a walk need not measure the furniture.
+void move_to_free(WorldEntry& entry, const World& world, const std::string& key, Point2& point) {
+  entry.check_inside(key, point);
   if (!entry.sound()) return;
   const FloorPlan plan = build_floor_plan(world);
-  const Pose2 at = plan.at(point.x_m, point.y_m);
-  for (const StaticShape& thing : standing_shapes(world, plan)) {
-    if (distance_m(disc({at.x_m, at.y_m}, kPersonRadius_m), thing.shape) > 0.0) continue;
-    entry.add(key,
-              fmt::format("at {}, {} there is no room beside {}", metres(point.x_m),
-                          metres(point.y_m), thing.name),
-              fmt::format("a person needs {} to either side", metres(kPersonRadius_m)));
-    return;
+  std::vector<StaticShape> things = standing_shapes(world, plan);
+  for (StaticShape& wall : wall_shapes(plan)) things.push_back(std::move(wall));
+  constexpr double kStep_m = 0.05;
+  constexpr int kRings = 20;
+  constexpr int kDirections = 16;
+  for (int ring = 0; ring <= kRings; ++ring) {
+    for (int i = 0; i < (ring == 0 ? 1 : kDirections); ++i) {
+      const double bearing_rad = 2.0 * std::numbers::pi * i / kDirections;
+      const Point2 moved{point.x_m + kStep_m * ring * std::cos(bearing_rad),
+                         point.y_m + kStep_m * ring * std::sin(bearing_rad)};
+      if (!has_room(plan.at(moved.x_m, moved.y_m), plan, things)) continue;
+      point = moved;
+      return;
+    }
   }
+  entry.add(
+      key,
+      fmt::format("at {}, {} there is no room for a person", metres(point.x_m), metres(point.y_m)),
+      fmt::format("a person needs {} to either side", metres(kPersonRadius_m)));
 }
 
 void read_walk(WorldEntry& entry, const Node& list, World& world, config::Mistakes& mistakes) {
@@ -57,7 +80,7 @@ void read_walk(WorldEntry& entry, const Node& list, World& world, config::Mistak
   entry.map().number("from", walk.from_s, Unit::duration, {0.0, 36000.0});
   entry.map().flag("repeat", walk.repeat);
   entry.finish();
-  for (const Point2& point : walk.points) check_free(entry, world, "walk", point);
+  for (Point2& point : walk.points) move_to_free(entry, world, "walk", point);
   if (entry.sound()) world.walks.push_back(walk);
 }
 
@@ -75,7 +98,7 @@ void read_stander(WorldEntry& entry, World& world) {
   entry.require_point("stand", stander.at);
   entry.map().number("heading", stander.heading_rad, Unit::angle, {radians(-360), radians(360)});
   entry.finish();
-  check_free(entry, world, "stand", stander.at);
+  move_to_free(entry, world, "stand", stander.at);
   if (entry.sound()) world.standers.push_back(stander);
 }
 

@@ -22,17 +22,15 @@ std::vector<std::string> all_names() {
   return names;
 }
 
-/// A thing may stand flush with a wall (up to 1 cm in it), but not through it.
+/// A thing may stand against a wall and even reach into it, but half of its size must be clear.
 void check_between_walls(WorldEntry& entry, const World& world, const WorldObstacle& obstacle) {
   if (!entry.sound()) return;
   const FloorPlan plan = build_floor_plan(world);
   const Pose2 middle = plan.at(obstacle.at.x_m, obstacle.at.y_m);
   for (ConvexShape shape : obstacle_outline(obstacle, plan)) {
+    shape.radius_m /= 2.0;
     for (Point2& corner : shape.corners) {
-      const double away = distance_m(corner, {middle.x_m, middle.y_m});
-      const double keep = std::max(0.0, away - 0.014) / away;
-      corner = {middle.x_m + keep * (corner.x_m - middle.x_m),
-                middle.y_m + keep * (corner.y_m - middle.y_m)};
+      corner = {(middle.x_m + corner.x_m) / 2.0, (middle.y_m + corner.y_m) / 2.0};
     }
     for (const StaticShape& wall : wall_shapes(plan)) {
       if (distance_m(shape, wall.shape) > 0.0) continue;

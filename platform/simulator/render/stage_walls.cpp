@@ -71,15 +71,23 @@ class Wall {
   bool along_the_corridor_ = false;
 };
 
+bool meets_a_door(Side side, double at_m, double half_m, const World& world) {
+  return std::any_of(world.doors.begin(), world.doors.end(), [&](const Door& door) {
+    return door.side == side && std::abs(door.at_m - at_m) < half_m + door.width_m / 2.0 + 0.2;
+  });
+}
+
 std::vector<Span> windows_on(const Wall& wall, const World& world) {
   std::vector<Span> windows;
   for (const WindowRow& row : world.windows) {
     const double span = row.to_m - row.from_m;
     const int count = std::max(1, static_cast<int>((span + kPier_m) / (kWindow_m + kPier_m)));
     for (int i = 0; i < count; ++i) {
-      const auto x = wall.place_of(row.side, row.from_m + span * (i + 0.5) / count);
+      const double at_m = row.from_m + span * (i + 0.5) / count;
+      const auto x = wall.place_of(row.side, at_m);
       const float half = std::min(kWindow_m, static_cast<float>(span)) / 2.0F;
-      if (x && *x > half + 0.1F && *x < wall.length_m() - half - 0.1F) {
+      if (x && !meets_a_door(row.side, at_m, half, world) && *x > half + 0.1F &&
+          *x < wall.length_m() - half - 0.1F) {
         windows.push_back({*x - half, *x + half});
       }
     }
