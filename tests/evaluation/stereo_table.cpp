@@ -96,7 +96,8 @@ void print_table(const std::string& title, const std::vector<reference::StereoPa
 
 int main(int argc, char** argv) {
   using namespace striate;
-  const std::string folder = argc > 1 ? argv[1] : STRIATE_SHARED_DATA "/stereo";
+  const std::string folder =
+      argc > 1 ? argv[1] : reference::shared_data(STRIATE_SHARED_DATA) + "/stereo";
   const auto pairs = reference::load_stereo_pairs(folder, {160, 120});
   if (pairs.empty()) {
     fmt::print(stderr, "stereo_table: no stereo pairs below {}\n", folder);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <limits>
@@ -17,6 +18,12 @@ struct StereoPair {
   cv::Mat1b left, right;
   cv::Mat1f truth_px;  ///< disparity at the working size; NaN: unknown or not seen by the right eye
 };
+
+/// The public data: what the environment says, else what the build was told.
+inline std::string shared_data(const std::string& built_with) {
+  const char* folder = std::getenv("STRIATE_SHARED_DATA");
+  return folder != nullptr ? folder : built_with;
+}
 
 namespace detail {
 

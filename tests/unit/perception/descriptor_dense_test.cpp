@@ -80,7 +80,8 @@ TEST(DenseDescriptor, DiffersFromDoublePrecisionInAtMostTwoPercentOfTheBits) {
 }
 
 TEST(DenseDescriptor, DiffersOnPhotographsInAtMostTwoPercentOfTheBits) {
-  const auto pairs = reference::load_stereo_pairs(STRIATE_SHARED_DATA "/stereo", {160, 120});
+  const auto pairs = reference::load_stereo_pairs(
+      reference::shared_data(STRIATE_SHARED_DATA) + "/stereo", {160, 120});
   if (pairs.empty()) GTEST_SKIP() << "no stereo pairs below " STRIATE_SHARED_DATA;
   double mean = 0.0;
   int count = 0;

@@ -12,8 +12,8 @@ namespace {
 
 std::vector<reference::StereoPair> some_pairs() {
   std::vector<reference::StereoPair> chosen;
-  for (reference::StereoPair& pair :
-       reference::load_stereo_pairs(STRIATE_SHARED_DATA "/stereo", {160, 120})) {
+  for (reference::StereoPair& pair : reference::load_stereo_pairs(
+           reference::shared_data(STRIATE_SHARED_DATA) + "/stereo", {160, 120})) {
     const bool wanted = pair.name == "teddy" || pair.name == "Aloe" || pair.name == "Bowling1";
     if (wanted) chosen.push_back(std::move(pair));
   }
