@@ -67,7 +67,7 @@ double confidence_of(const Candidate& best, double runner_up_score, double aslan
                        (best.point.lines > 1 ? 1.0 : kOneLine) /
                        (1.0 + 0.5 * std::max(0.0, best.point.spread_px - kGoodSpread_px));
   const double planes = std::clamp((best.planes - kChancePlane) / kSurePlane, 0.0, 1.0) *
-                        std::max(0.0, 1.0 - aslant * aslant);
+                        std::max(0.0, 1.0 - aslant * aslant) * 0.5 * (1.0 + alone);
   return 1.0 - (1.0 - kMostOfEdges * edges * alone) * (1.0 - kMostOfPlanes * planes);
 }
 
