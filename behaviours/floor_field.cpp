@@ -9,7 +9,6 @@ namespace {
 
 constexpr int kSide = 2 * FloorField::kReach;
 constexpr int kSkip = LocalGrid::kSide / 2 - FloorField::kReach;
-constexpr float kStrongAlone = 3.0F;  // log-odds
 
 }  // namespace
 
@@ -26,30 +25,19 @@ void FloorField::update(const LocalGrid& grid) {
   for (int row = 0; row < kSide; ++row) {
     std::uint8_t* states = states_[row];
     std::uint8_t* seen = seen_[row];
+    std::uint8_t* open = open_[row];
     for (int column = 0; column < kSide; ++column) {
-      const FloorState state = grid.state({first_.x + column, first_.y + row});
+      const GridCell cell{first_.x + column, first_.y + row};
+      const FloorState state = grid.state(cell);
       states[column] = static_cast<std::uint8_t>(state);
       seen[column] = state == FloorState::free ? 255 : 0;
-    }
-  }
-  constexpr auto kOccupied = static_cast<std::uint8_t>(FloorState::occupied);
-  open_.setTo(255);
-  for (int row = 1; row < kSide - 1; ++row) {
-    for (int column = 1; column < kSide - 1; ++column) {
-      if (states_(row, column) != kOccupied) continue;
-      int neighbours = -1;
-      for (int v = row - 1; v <= row + 1; ++v) {
-        for (int u = column - 1; u <= column + 1; ++u) neighbours += states_(v, u) == kOccupied;
-      }
-      const GridCell cell{first_.x + column, first_.y + row};
-      if (neighbours > 1 || grid.log_odds(cell) > kStrongAlone) {
-        open_(row, column) = 0;
-      }
+      open[column] = state == FloorState::occupied && grid.stands(cell) ? 0 : 255;
     }
   }
   cv::distanceTransform(open_, distance_cells_, cv::DIST_L2, cv::DIST_MASK_3);
   // A hole of one patch in seen floor is a column without a match, not a thing.
   cv::morphologyEx(seen_, seen_, cv::MORPH_CLOSE, round_);
+  cv::bitwise_and(seen_, open_, seen_);
   cv::distanceTransform(seen_, seen_cells_, cv::DIST_L2, cv::DIST_MASK_3);
 }
 

@@ -28,9 +28,9 @@ class FloorField {
   [[nodiscard]] double metres(const cv::Mat1f& cells, Point2 odometry) const;
   [[nodiscard]] bool inside(Point2 odometry, int& column, int& row) const;
   GridCell first_;
-  cv::Mat1b states_;
-  cv::Mat1b open_;  // 0 where something stands
-  cv::Mat1b seen_;  // 0 where floor is not seen free
+  cv::Mat1b states_;  // FloorState
+  cv::Mat1b open_;    // 0 where something stands
+  cv::Mat1b seen_;    // 0 where floor is not seen free
   cv::Mat1f distance_cells_;
   cv::Mat1f seen_cells_;
   cv::Mat1b round_;

@@ -14,7 +14,7 @@ constexpr double kCrowdingPrice = 5.0;  // at no margin at all
 constexpr double kUnknownPrice = 1.4;
 constexpr double kOutsidePrice = 6.0;
 constexpr double kOutsideTolerance_m = 0.15;
-constexpr double kEdgePrice = 1.6;
+constexpr double kEdgePrice = 4.0;
 constexpr double kEdgeComfort_m = 0.25;
 constexpr double kOffLinePrice = 0.30;  // per square metre off the wanted line
 constexpr double kOffLineMost = 1.2;
@@ -73,9 +73,10 @@ float PathPlanner::price_of(const FloorField& field, const PlanRequest& request,
   // Beyond a remembered wall unknown is not a way: a blank wall leaves no trace in the map.
   const bool past_wall = inner.y_m > request.left_wall_m - request.half_width_m ||
                          -inner.y_m > request.right_wall_m - request.half_width_m;
+  const bool near_robot = std::hypot(inner.x_m, inner.y_m) <= kEscape_m;
   double price = 1.0;
   if (margin_m < request.least_margin_m || (past_wall && state != FloorState::free)) {
-    if (std::hypot(inner.x_m, inner.y_m) > kEscape_m) return kClosed;
+    if (!near_robot) return kClosed;
     price += kEscapePrice;
   }
   const double crowding = std::clamp(1.0 - margin_m / kComfort_m, 0.0, 1.0);
@@ -85,7 +86,10 @@ float PathPlanner::price_of(const FloorField& field, const PlanRequest& request,
     // Where the corridor should have ended unknown floor is hardly a way.
     const double out_m = std::abs(inner.y_m - request.middle_left_m) + request.half_width_m -
                          request.half_corridor_m;
-    if (out_m > kOutsideTolerance_m) price += kOutsidePrice;
+    if (out_m > kOutsideTolerance_m) {
+      if (request.corridor_sure && !near_robot) return kClosed;
+      price += kOutsidePrice;
+    }
   }
   // A wall too plain to see shows as the edge of what is known.
   const double edge_m = field.seen_clearance_m(place) - request.half_width_m;

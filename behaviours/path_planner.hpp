@@ -29,7 +29,8 @@ struct PlanRequest {
   double left_wall_m = kNothing_m;  ///< remembered walls, as seen along the direction
   double right_wall_m = kNothing_m;
   double middle_left_m = 0.0;           ///< the corridor's middle, to the left of the robot
-  double half_corridor_m = kNothing_m;  ///< half its width where that is known
+  double half_corridor_m = kNothing_m;  ///< half its width as far as is known
+  bool corridor_sure = false;           ///< its place is known well: nothing leads outside
 };
 
 /// Dijkstra over a 0.1 m grid laid along the corridor, 5 m ahead and 3 m to each side. The cost of

@@ -11,7 +11,6 @@ constexpr double kStep_s = 0.05;
 constexpr double kHorizon_s = 2.0;
 constexpr double kDeeper_m = 0.004;  // nearer by this much is towards, not along
 constexpr double kMoves_m_s = 0.01;
-constexpr float kSureEvidence = 1.6F;
 
 double outer_speed(double forward_m_s, double turn_rad_s, double radius_m) {
   return std::abs(forward_m_s) + std::abs(turn_rad_s) * radius_m;
@@ -38,7 +37,7 @@ void SafetyLimiter::gather_memory(const ShortTermMemory& memory) {
   const GridCell middle = LocalGrid::cell_of({memory.pose().x_m, memory.pose().y_m});
   for (int y = middle.y - reach; y <= middle.y + reach; ++y) {
     for (int x = middle.x - reach; x <= middle.x + reach; ++x) {
-      if (grid.log_odds({x, y}) < kSureEvidence) continue;
+      if (!grid.stands({x, y})) continue;
       if (remembered_.size() == remembered_.capacity()) return;
       remembered_.push_back(to_inner(memory.pose(), LocalGrid::centre_of({x, y})));
     }

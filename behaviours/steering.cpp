@@ -91,7 +91,7 @@ Drive Steering::follow(const Way& way, const FloorField& field, const Pose2& rob
       const double edge_m = footprint_.seen_clearance_m(field, end);
       const double edging = std::max(0.0, 1.0 - edge_m / wanted_clearance_m_);
       const double score =
-          std::abs(offset) + 0.8 * crowding * crowding + 0.6 * edging + 0.5 * (1.0 - share);
+          std::abs(offset) + 0.8 * crowding * crowding + 0.7 * edging + 0.5 * (1.0 - share);
       if (score < least) {
         least = score;
         best = {true, candidate.forward_m_s, candidate.turn_rad_s, clear_m};

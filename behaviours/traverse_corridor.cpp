@@ -4,6 +4,11 @@
 #include <numbers>
 
 namespace striate {
+namespace {
+
+constexpr double kSureOffset_m = 0.20;
+
+}  // namespace
 
 Course corridor_course(const CorridorMemory& corridor, bool back, double cruise_m_s) {
   Course course;
@@ -11,6 +16,7 @@ Course corridor_course(const CorridorMemory& corridor, bool back, double cruise_
   course.wanted_left_m = back ? corridor.offset_m() : -corridor.offset_m();
   course.middle_left_m = course.wanted_left_m;
   course.half_corridor_m = 0.5 * corridor.width_m();
+  course.corridor_sure = corridor.width_known() && corridor.offset_std_m() < kSureOffset_m;
   course.cruise_m_s = cruise_m_s;
   course.left_wall_m = back ? corridor.right_m() : corridor.left_m();
   course.right_wall_m = back ? corridor.left_m() : corridor.right_m();

@@ -91,6 +91,7 @@ Wish WayFollower::tick(const ShortTermMemory& memory, const Course& course) {
   request.right_wall_m = course.right_wall_m;
   request.middle_left_m = course.middle_left_m;
   request.half_corridor_m = course.half_corridor_m;
+  request.corridor_sure = course.corridor_sure;
   planner_.plan(field_, memory.pose(), request);
   if (troubles_ >= settings_.tries) {
     return final_wish(memory, Progress::failed,

@@ -46,6 +46,7 @@ struct Course {
   double right_wall_m = kNothing_m;
   double middle_left_m = 0.0;           ///< the corridor's middle, to the left of the robot
   double half_corridor_m = kNothing_m;  ///< half its width
+  bool corridor_sure = false;           ///< its middle and width are known well
 };
 
 /// Plans on the map, follows the way, and gets out of trouble: waits for what may pass, looks

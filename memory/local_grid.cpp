@@ -75,6 +75,17 @@ FloorState LocalGrid::state(GridCell cell) const {
   return evidence < kFreeBelow ? FloorState::free : FloorState::unknown;
 }
 
+bool LocalGrid::stands(GridCell cell) const {
+  const float evidence = log_odds(cell);
+  if (evidence <= kOccupiedAbove) return false;
+  if (evidence > kSurelyOccupied) return true;
+  int occupied = -1;  // itself
+  for (int y = cell.y - 1; y <= cell.y + 1; ++y) {
+    for (int x = cell.x - 1; x <= cell.x + 1; ++x) occupied += log_odds({x, y}) > kOccupiedAbove;
+  }
+  return occupied >= 2;
+}
+
 void LocalGrid::add(GridCell cell, float log_odds, TimePoint seen) {
   if (!holds(cell)) return;
   Stored& stored = cells_[index(cell)];

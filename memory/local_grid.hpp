@@ -31,7 +31,8 @@ class LocalGrid {
   static constexpr float kOccupiedAbove = 1.2F;  ///< log-odds; above is occupied
   static constexpr float kLeast = -3.0F;
   static constexpr float kMost = 3.5F;
-  static constexpr int kReach = kSide / 2 - 2;  ///< cells that surely lie inside, each way
+  static constexpr float kSurelyOccupied = 3.0F;  ///< log-odds; counts even as a lone speck
+  static constexpr int kReach = kSide / 2 - 2;    ///< cells that surely lie inside, each way
 
   LocalGrid();
 
@@ -47,6 +48,9 @@ class LocalGrid {
   [[nodiscard]] float moving(GridCell cell) const;         ///< 0 still .. 1 moving
   [[nodiscard]] TimePoint last_seen(GridCell cell) const;  ///< zero: never
   [[nodiscard]] FloorState state(GridCell cell) const;
+  /// Occupied, and no mere speck: with two occupied neighbours or more, or strong evidence.
+  /// Single wrong matches are common, and thin things are seen again and again.
+  [[nodiscard]] bool stands(GridCell cell) const;
 
   /// Adds evidence and notes the time. A cell outside is ignored.
   void add(GridCell cell, float log_odds, TimePoint seen);

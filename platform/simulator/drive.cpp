@@ -19,7 +19,13 @@ double towards(double value, double goal, double largest_change) {
 }  // namespace
 
 void Drive::command(double now_s, const MotorCommand& command) {
-  pending_.push_back({now_s + settings_.command_latency_s, command});
+  MotorCommand sane = command;
+  // What is no number must not become a speed: it stops the wheels.
+  if (!std::isfinite(sane.forward_m_s) || !std::isfinite(sane.turn_rad_s)) {
+    sane.forward_m_s = 0.0;
+    sane.turn_rad_s = 0.0;
+  }
+  pending_.push_back({now_s + settings_.command_latency_s, sane});
 }
 
 void Drive::stop() {

@@ -34,7 +34,8 @@ void Judge::look(double now_s, const Physics& physics, const People& people,
   const std::vector<Touch> touches = physics.touches();
   note_touches(now_s, touches, light);
   forward_m_s_ = physics.forward_m_s();
-  note_clearance(now_s, people, !touches.empty());
+  // In 20 ms nothing comes 2 cm nearer; touching is felt at every step.
+  if (looks_++ % 2 == 0 || !touches.empty()) note_clearance(now_s, people, !touches.empty());
   reached_goal_ = reached_goal_ || in_corridor().x_m > goal_beyond_m_;
   decide(now_s);
 }

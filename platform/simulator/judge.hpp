@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <limits>
 #include <string>
 #include <vector>
@@ -88,6 +89,7 @@ class Judge {
 
   Outcome outcome_ = Outcome::running;
   bool over_ = false;
+  std::uint64_t looks_ = 0;
   bool reached_goal_ = false;
   PathPoint now_;
   bool started_ = false;

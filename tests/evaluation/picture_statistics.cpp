@@ -1,7 +1,10 @@
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
+#include <numbers>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
@@ -122,7 +125,7 @@ double noise_level(const cv::Mat1f& grey) {
       const cv::Rect block(x, y, 8, 8);
       const double level = cv::mean(grey(block))[0];
       if (level < 8.0 || level > 247.0) continue;  // black and white hide noise
-      blocks.push_back(cv::mean(cv::abs(rest(block)))[0] * std::sqrt(M_PI / 2.0) / 6.0);
+      blocks.push_back(cv::mean(cv::abs(rest(block)))[0] * std::sqrt(std::numbers::pi / 2.0) / 6.0);
     }
   }
   if (blocks.empty()) return 0.0;

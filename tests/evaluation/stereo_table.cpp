@@ -105,6 +105,7 @@ int main(int argc, char** argv) {
   const std::vector<Method> methods = {
       {"paper, exact", exact_paper},
       {"paper", ours(StereoSetting::paper, kPaperCandidates)},
+      {"paper, K = 48", ours(StereoSetting::paper, kSearched)},
       {"robust", ours(StereoSetting::robust, kSearched)},
       {"StereoBM 9", opencv([] {
          auto matcher = cv::StereoBM::create(kSearched, 9);

@@ -1,8 +1,7 @@
 #include "platform/simulator/render/baked_light.hpp"
 
-#include <functional>
-
-#include "platform/simulator/render/noise.hpp"
+#include "platform/simulator/render/shadow_rays.hpp"
+#include "platform/simulator/render/sun_spots.hpp"
 
 namespace striate::simulator::render {
 namespace {
@@ -10,37 +9,8 @@ namespace {
 constexpr int kDirections = 96;
 constexpr int kBounces = 4;
 constexpr float kFar = 1e4F;
-constexpr int kDark = -1;  ///< the ray ended on something's back or on a lamp
-
-/// Sends shadow rays sixteen at a time and hands over those that arrive.
-class ShadowRays {
- public:
-  using Arrived = std::function<void(int texel, V4 light)>;
-  ShadowRays(const Tracer& tracer, Arrived arrived)
-      : tracer_(tracer), arrived_(std::move(arrived)) {}
-  void add(Vec3 from, Vec3 way, float t_max, int texel, V4 light) {
-    packet_.set(count_, from, way, 1e-4F, t_max);
-    texel_[count_] = texel;
-    light_[count_] = light;
-    if (++count_ == Packet::kSize) flush();
-  }
-  void flush() {
-    for (unsigned i = count_; i < Packet::kSize; ++i) packet_.clear(i);
-    if (count_ > 0) tracer_.occlude(packet_);
-    for (unsigned i = 0; i < count_; ++i) {
-      if (packet_.rays.ray.tfar[i] > 0.0F) arrived_(texel_[i], light_[i]);
-    }
-    count_ = 0;
-  }
-
- private:
-  const Tracer& tracer_;
-  Arrived arrived_;
-  Packet packet_;
-  std::array<int, Packet::kSize> texel_{};
-  std::array<V4, Packet::kSize> light_{};
-  unsigned count_ = 0;
-};
+constexpr float kNearWindow_m = 1.1F;  ///< reveals and frames look around instead
+constexpr int kDark = -1;              ///< the ray ended on something's back or on a lamp
 
 class Baker {
  public:
@@ -54,6 +24,7 @@ class Baker {
 
   BakedLight bake() {
     light_directly();
+    light_by_sun_spots();
     gather();
     for (int bounce = 0; bounce < kBounces; ++bounce) pass_on();
     return finished();
@@ -66,36 +37,14 @@ class Baker {
     std::array<int, kDirections> source{};
   };
 
-  /// Where light is measured for a texel: a little off the face and off its border, so that it
-  /// is not inside what stands against it.
-  [[nodiscard]] Vec3 place(const Patch& patch, float u, float v) const {
-    const float wide = length(patch.corner[1] - patch.corner[0]);
-    const float tall = length(patch.corner[3] - patch.corner[0]);
-    const auto inset = [](float x, float size) {
-      const float edge = std::min(0.1F, 0.02F / std::max(size, 1e-3F));
-      return std::clamp(x, edge, 1.0F - edge);
-    };
-    const float off = std::min(wide, tall) > 0.6F ? 0.03F : 0.004F;
-    return Patch::at(patch.corner, inset(u, wide), inset(v, tall)) + patch.normal * off;
-  }
-  template <class Function>
-  void for_texels(const Patch& patch, Function function) {
-    for (int j = 0; j < patch.light_v; ++j) {
-      for (int i = 0; i < patch.light_u; ++i) {
-        function(patch.light_at + j * patch.light_u + i,
-                 static_cast<float>(i) / static_cast<float>(patch.light_u - 1),
-                 static_cast<float>(j) / static_cast<float>(patch.light_v - 1));
-      }
-    }
-  }
-
   void light_directly() {
     ShadowRays rays(tracer_, [this](int texel, V4 light) { direct_[at(texel)] += light; });
     for (const Patch& patch : stage_.patches) {
       for_texels(patch, [&](int texel, float u, float v) {
-        const Vec3 point = place(patch, u, v);
+        const Vec3 point = measuring_place(patch, u, v);
         const Vec3 normal = unit(Patch::at(patch.bend, u, v));
         for (const Lamp& lamp : stage_.lamps) add_lamp(rays, lamp, normal, point, texel);
+        for (const Lamp& window : stage_.windows) add_window(rays, window, normal, point, texel);
         add_sun(rays, patch, {u, v}, texel);
       });
     }
@@ -114,6 +63,20 @@ class Baker {
     }
   }
 
+  /// The sky through a window: as bright as it is in that direction.
+  void add_window(ShadowRays& rays, const Lamp& window, Vec3 normal, Vec3 point, int texel) {
+    const float away = length(window.centre - point);
+    if (away < kNearWindow_m || away > 20.0F || dot(point - window.centre, window.facing) <= 0.0F)
+      return;
+    const int samples = away < 6.0F ? 8 : 4;
+    for (int k = 0; k < samples; ++k) {
+      const LampSample s = lamp_sample(window, point, normal, k, samples);
+      if (s.irradiance * stage_.sky < 1e-4F) continue;
+      const V4 light = stage_.outdoors(s.from - point) * splat(stage_.sky * s.irradiance);
+      rays.add(point, s.from - point, 1.0F, texel, bgr(light[0], light[1], light[2]));
+    }
+  }
+
   struct Uv {
     float u, v;
   };
@@ -123,12 +86,33 @@ class Baker {
       for (const float dv : {-0.25F, 0.25F}) {
         const float u = uv.u + du / static_cast<float>(patch.light_u - 1);
         const float v = uv.v + dv / static_cast<float>(patch.light_v - 1);
-        rays.add(place(patch, std::clamp(u, 0.0F, 1.0F), std::clamp(v, 0.0F, 1.0F)),
+        rays.add(measuring_place(patch, std::clamp(u, 0.0F, 1.0F), std::clamp(v, 0.0F, 1.0F)),
                  stage_.sun->towards, kFar, texel, V4{0.0F, 0.0F, 0.0F, 0.25F});
       }
     }
   }
 
+  void light_by_sun_spots() {
+    if (!stage_.sun) return;
+    std::vector<SunSpot> spots;
+    for (const Patch& patch : stage_.patches) {
+      const std::vector<SunSpot> more = sun_spots(stage_, patch, direct_);
+      spots.insert(spots.end(), more.begin(), more.end());
+    }
+    ShadowRays rays(tracer_, [this](int texel, V4 light) { direct_[at(texel)] += light; });
+    for (const Patch& patch : stage_.patches) {
+      for_texels(patch, [&](int texel, float u, float v) {
+        const Vec3 point = measuring_place(patch, u, v);
+        const Vec3 normal = unit(Patch::at(patch.bend, u, v));
+        for (const SunSpot& spot : spots) {
+          const float weight = spot.weight_at(point, normal);
+          if (weight * luminance(spot.flux) < 1e-3F) continue;
+          rays.add(point, spot.centre - point, 0.97F, texel, spot.flux * splat(weight));
+        }
+      });
+    }
+    rays.flush();
+  }
   /// Every second texel looks around once; where its light comes from never changes.
   void gather() {
     for (const Patch& patch : stage_.patches) {
@@ -137,7 +121,7 @@ class Baker {
         const int j = (texel - patch.light_at) / patch.light_u;
         if (!carries(patch, i, j)) return;
         gathered_.push_back(
-            look_around(unit(Patch::at(patch.bend, u, v)), place(patch, u, v), texel));
+            look_around(unit(Patch::at(patch.bend, u, v)), measuring_place(patch, u, v), texel));
       });
     }
   }
@@ -151,6 +135,9 @@ class Baker {
     const Vec3 a =
         unit(std::abs(n.z) < 0.9F ? cross({0.0F, 0.0F, 1.0F}, n) : cross({1.0F, 0.0F, 0.0F}, n));
     const Vec3 b = cross(n, a);
+    const bool near = std::any_of(
+        stage_.windows.begin(), stage_.windows.end(),
+        [&](const Lamp& window) { return length(window.centre - point) < kNearWindow_m; });
     Packet packet;
     for (std::size_t first = 0; first < kDirections; first += Packet::kSize) {
       for (unsigned k = 0; k < Packet::kSize; ++k) {
@@ -159,16 +146,17 @@ class Baker {
       }
       tracer_.intersect(packet, false);
       for (unsigned k = 0; k < Packet::kSize; ++k) {
-        found.source[first + k] = source_of(packet, k, found.sky);
+        found.source[first + k] = source_of(packet, k, near ? &found.sky : nullptr);
       }
     }
     return found;
   }
 
-  int source_of(const Packet& packet, unsigned lane, V4& sky) const {
+  int source_of(const Packet& packet, unsigned lane, V4* sky) const {
     const Vec3 d = packet.direction(lane);
     if (!packet.hit(lane)) {
-      sky += stage_.outdoors(d) * splat(stage_.sky / kDirections);
+      // From afar the windows have been counted as sources.
+      if (sky != nullptr) *sky += stage_.outdoors(d) * splat(stage_.sky / kDirections);
       return kDark;
     }
     const Patch& patch = stage_.patches[packet.rays.hit.primID[lane]];
@@ -183,12 +171,9 @@ class Baker {
   void pass_on() {
     for (const Patch& patch : stage_.patches) {
       const Material& material = stage_.materials[patch.material];
-      const float sun = stage_.sun ? stage_.sun->irradiance *
-                                         std::max(0.0F, dot(patch.normal, stage_.sun->towards))
-                                   : 0.0F;
       const V4 albedo = material.shines ? V4{} : material.texture->mean();
       for (int t = patch.light_at; t < patch.light_at + patch.light_u * patch.light_v; ++t) {
-        const V4 light = direct_[at(t)] + indirect_[at(t)] + splat(sun * direct_[at(t)][3]);
+        const V4 light = direct_[at(t)] + indirect_[at(t)];
         radiosity_[at(t)] = albedo * light;
       }
     }

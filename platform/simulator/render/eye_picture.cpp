@@ -139,7 +139,7 @@ std::vector<int> EyePicture::edges(const View& view) {
   const auto compare = [&](std::size_t here, std::size_t there) {
     const float a = brightness_[here];
     const float b = brightness_[there];
-    const float needed = group_[here] == group_[there] ? 0.35F : 0.15F;
+    const float needed = group_[here] == group_[there] ? 0.6F : 0.2F;
     if (std::abs(a - b) > needed * std::max(a, b)) is_edge_[here] = is_edge_[there] = 1;
   };
   for (int y = 0; y < view.height_px; ++y) {

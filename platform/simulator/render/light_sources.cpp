@@ -17,7 +17,7 @@ LampSample lamp_sample(const Lamp& lamp, Vec3 point, Vec3 normal, int sample, in
   const float r2 = std::max(dot(way, way), 0.04F);
   const float r = std::sqrt(r2);
   const float here = dot(normal, way) / r;
-  const float there = way.z / r;  // panels shine straight down
+  const float there = -dot(way, lamp.facing) / r;
   if (here <= 0.0F || there <= 0.0F) return {from, 0.0F};
   const float area = lamp.area_m2() / static_cast<float>(samples);
   return {from, lamp.exitance * area * here * there / (r2 * std::numbers::pi_v<float>)};

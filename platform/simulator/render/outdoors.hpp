@@ -14,8 +14,8 @@ class Outdoors {
   [[nodiscard]] V4 operator()(Vec3 direction) const;
 
  private:
-  static constexpr int kWidth = 1024;  ///< azimuth, all around
-  static constexpr int kHeight = 256;  ///< by rise over distance, -1 .. 1
+  static constexpr int kWidth = 512;   ///< azimuth, all around
+  static constexpr int kHeight = 128;  ///< by rise over distance, -1 .. 1
   std::vector<V4> map_;
 };
 

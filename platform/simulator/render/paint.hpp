@@ -23,6 +23,7 @@ struct Picture {
 };
 
 [[nodiscard]] const std::vector<Surface>& surfaces();
-[[nodiscard]] const std::vector<Picture>& pictures();
+[[nodiscard]] const std::vector<Picture>& posters();
+[[nodiscard]] const std::vector<Picture>& pictures();  ///< posters and what things are wrapped in
 
 }  // namespace striate::simulator::render

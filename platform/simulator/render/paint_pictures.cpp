@@ -1,61 +1,8 @@
-#include <opencv2/imgproc.hpp>
-
-#include "platform/simulator/render/noise.hpp"
 #include "platform/simulator/render/paint.hpp"
+#include "platform/simulator/render/paint_brush.hpp"
 
 namespace striate::simulator::render {
 namespace {
-
-using cv::Point;
-using cv::Scalar;
-
-/// Draws random shapes whose kind, place and colour come from a counter.
-class Brush {
- public:
-  Brush(cv::Mat3b& picture, std::uint32_t seed) : picture_(picture), seed_(seed) {}
-  float draw() { return uniform(mix(seed_, counter_++)); }
-  int draw(int low, int high) {
-    return low + static_cast<int>(draw() * static_cast<float>(high - low));
-  }
-  Point place() { return {draw(0, picture_.cols), draw(0, picture_.rows)}; }
-  Scalar colour() { return Scalar(draw(20, 240), draw(20, 240), draw(20, 240)); }
-
-  void write(const std::string& text, Point at, double size, const Scalar& ink, int thick = 2) {
-    cv::putText(picture_, text, at, cv::FONT_HERSHEY_DUPLEX, size, ink, thick, cv::LINE_AA);
-  }
-  void lines_of_text(cv::Rect where, int step, const Scalar& ink) {
-    for (int y = where.y; y < where.y + where.height; y += step) {
-      int x = where.x;
-      while (x < where.x + where.width - step) {
-        const int word = draw(step / 2, step * 3);
-        const int end = std::min(x + word, where.x + where.width);
-        cv::line(picture_, {x, y}, {end, y}, ink, std::max(1, step / 3));
-        x += word + step / 2;
-      }
-    }
-  }
-  void barcode(cv::Rect where) {
-    cv::rectangle(picture_, where, Scalar(235, 235, 235), cv::FILLED);
-    for (int x = where.x + 4; x < where.x + where.width - 6;) {
-      const int wide = draw(1, 5);
-      cv::rectangle(picture_, {x, where.y + 4, wide, where.height - 8}, Scalar(25, 25, 25),
-                    cv::FILLED);
-      x += wide + draw(2, 6);
-    }
-  }
-
- private:
-  cv::Mat3b& picture_;
-  std::uint32_t seed_;
-  std::uint32_t counter_ = 0;
-};
-
-cv::Mat3b sheet(int width, int height, const Scalar& ground) {
-  return cv::Mat3b(height, width,
-                   cv::Vec3b(cv::saturate_cast<std::uint8_t>(ground[0]),
-                             cv::saturate_cast<std::uint8_t>(ground[1]),
-                             cv::saturate_cast<std::uint8_t>(ground[2])));
-}
 
 cv::Mat3b poster_fish() {
   cv::Mat3b p = sheet(512, 768, Scalar(170, 110, 30));
@@ -178,70 +125,6 @@ cv::Mat3b poster_landscape() {
   return p;
 }
 
-cv::Mat3b cover(const Scalar& ground, const Scalar& ink, const char* title, std::uint32_t seed) {
-  cv::Mat3b p = sheet(256, 384, ground);
-  Brush brush(p, seed);
-  for (int i = 0; i < 14; ++i) {
-    const Point at{brush.draw(30, 226), brush.draw(150, 310)};
-    if (brush.draw() < 0.5F)
-      cv::circle(p, at, brush.draw(6, 34), brush.colour(), cv::FILLED, cv::LINE_AA);
-    else
-      cv::rectangle(p, {at.x, at.y, brush.draw(8, 50), brush.draw(8, 40)}, brush.colour(),
-                    cv::FILLED);
-  }
-  brush.write(title, {18, 66}, 1.35, ink, 3);
-  brush.lines_of_text({20, 92, 210, 26}, 12, ink);
-  brush.lines_of_text({20, 345, 150, 20}, 12, ink);
-  cv::rectangle(p, {0, 0, 14, 384}, ink * 0.6, cv::FILLED);
-  return p;
-}
-cv::Mat3b book_red() {
-  return cover(Scalar(40, 36, 178), Scalar(225, 235, 240), "CORTEX", 11);
-}
-cv::Mat3b book_blue() {
-  return cover(Scalar(160, 84, 36), Scalar(90, 220, 240), "ROBOTS", 12);
-}
-cv::Mat3b book_green() {
-  return cover(Scalar(70, 130, 40), Scalar(240, 240, 230), "VISION", 13);
-}
-
-cv::Mat3b packet(const Scalar& ground, const char* name, std::uint32_t seed) {
-  cv::Mat3b p = sheet(384, 256, ground);
-  Brush brush(p, seed);
-  for (int i = 0; i < 26; ++i)
-    cv::circle(p, brush.place(), brush.draw(4, 30), brush.colour(),
-               brush.draw() < 0.6F ? cv::FILLED : 3, cv::LINE_AA);
-  cv::rectangle(p, {30, 80, 324, 90}, Scalar(235, 240, 245), cv::FILLED);
-  brush.write(name, {44, 148}, 2.0, Scalar(40, 30, 120), 4);
-  brush.barcode({280, 190, 90, 54});
-  return p;
-}
-cv::Mat3b box_tea() {
-  return packet(Scalar(30, 190, 235), "TEA No7", 21);
-}
-cv::Mat3b box_biscuits() {
-  return packet(Scalar(60, 50, 190), "BISCUIT", 22);
-}
-cv::Mat3b box_soap() {
-  return packet(Scalar(200, 150, 60), "S O A P", 23);
-}
-
-cv::Mat3b cup_dots() {
-  cv::Mat3b p = sheet(512, 192, Scalar(225, 228, 230));
-  Brush brush(p, 31);
-  for (int i = 0; i < 46; ++i)
-    cv::circle(p, brush.place(), brush.draw(7, 20), brush.colour(), cv::FILLED, cv::LINE_AA);
-  return p;
-}
-cv::Mat3b cup_stripes() {
-  cv::Mat3b p = sheet(512, 192, Scalar(60, 70, 190));
-  for (int x = 0; x < 512; x += 48)
-    cv::line(p, {x, 0}, {x + 40, 192}, Scalar(225, 225, 225), 10, cv::LINE_AA);
-  cv::putText(p, "COFFEE", {110, 120}, cv::FONT_HERSHEY_DUPLEX, 2.4, Scalar(30, 20, 20), 6,
-              cv::LINE_AA);
-  return p;
-}
-
 cv::Mat3b poster_plate() {
   cv::Mat3b p = sheet(128, 96, Scalar(228, 230, 230));
   Brush brush(p, 6);
@@ -250,52 +133,14 @@ cv::Mat3b poster_plate() {
   return p;
 }
 
-cv::Mat3b cardboard() {
-  cv::Mat3b p = sheet(512, 512, Scalar(84, 124, 158));
-  for (int y = 0; y < 512; ++y) {
-    for (int x = 0; x < 512; ++x) {
-      const float fx = static_cast<float>(x) / 512.0F;
-      const float fy = static_cast<float>(y) / 512.0F;
-      const float n = 8.0F * fractal_noise(fx, fy, {6, 4, 0.6F}, 81) +
-                      4.0F * fractal_noise(fx * 0.2F, fy, {128, 2, 0.6F}, 82);
-      for (int k = 0; k < 3; ++k)
-        p(y, x)[k] = cv::saturate_cast<std::uint8_t>(static_cast<float>(p(y, x)[k]) + n);
-    }
-  }
-  Brush brush(p, 41);
-  cv::rectangle(p, {0, 226, 512, 46}, Scalar(96, 142, 176), cv::FILLED);
-  cv::rectangle(p, {0, 226, 512, 46}, Scalar(70, 106, 136), 2);
-  cv::rectangle(p, {300, 60, 160, 110}, Scalar(222, 226, 228), cv::FILLED);
-  brush.lines_of_text({312, 76, 130, 80}, 14, Scalar(50, 50, 60));
-  brush.barcode({60, 340, 170, 90});
-  brush.write("FRAGILE", {270, 420}, 1.6, Scalar(40, 50, 60), 4);
-  for (int x : {80, 150}) {
-    cv::arrowedLine(p, {x, 190}, {x, 60}, Scalar(40, 50, 60), 10, cv::LINE_AA, 0, 0.4);
-  }
-  cv::rectangle(p, {0, 0, 512, 512}, Scalar(66, 98, 126), 5);
-  return p;
-}
-
 }  // namespace
 
-const std::vector<Picture>& pictures() {
+const std::vector<Picture>& posters() {
   static const std::vector<Picture> all{
-      {"poster_fish", poster_fish},
-      {"poster_map", poster_map},
-      {"poster_notice", poster_notice},
-      {"poster_art", poster_art},
-      {"poster_timetable", poster_timetable},
-      {"poster_landscape", poster_landscape},
+      {"poster_fish", poster_fish},           {"poster_map", poster_map},
+      {"poster_notice", poster_notice},       {"poster_art", poster_art},
+      {"poster_timetable", poster_timetable}, {"poster_landscape", poster_landscape},
       {"poster_plate", poster_plate},
-      {"book_red", book_red},
-      {"book_blue", book_blue},
-      {"book_green", book_green},
-      {"box_tea", box_tea},
-      {"box_biscuits", box_biscuits},
-      {"box_soap", box_soap},
-      {"cup_dots", cup_dots},
-      {"cup_stripes", cup_stripes},
-      {"cardboard", cardboard},
   };
   return all;
 }

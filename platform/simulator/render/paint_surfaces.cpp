@@ -153,11 +153,11 @@ cv::Mat3b plain() {
 }
 template <int kBlue, int kGreen, int kRed>
 cv::Mat3b woven() {
-  return painted(256, 256, [](float x, float y) {
-    const float weave = std::sin(x * 402.0F) * std::sin(y * 402.0F);
+  return painted(128, 128, [](float x, float y) {
+    const float weave = std::sin(x * 201.0F) * std::sin(y * 201.0F);
     const float crease = fractal_noise(x, y, {4, 3, 0.6F}, 131);
     return brighter({kBlue, kGreen, kRed},
-                    7.0F * weave + 11.0F * crease + 9.0F * fractal_noise(x, y, {64, 2, 0.7F}, 132));
+                    7.0F * weave + 11.0F * crease + 9.0F * fractal_noise(x, y, {48, 2, 0.7F}, 132));
   });
 }
 template <int kBlue, int kGreen, int kRed>

@@ -230,7 +230,7 @@ void People::pose(const SceneState& state, const LightProbes& probes, double rea
         std::hypot(person.pose.x_m - state.robot.x_m, person.pose.y_m - state.robot.y_m);
     if (away > reach_m) continue;
     const auto look = static_cast<std::size_t>(((person.look % kLooks) + kLooks) % kLooks);
-    Body(*this, looks_[look], person, probes, away < 4.0 ? 14 : (away < 10.0 ? 10 : 6)).build();
+    Body(*this, looks_[look], person, probes, away < 3.0 ? 14 : (away < 8.0 ? 10 : 6)).build();
   }
 }
 

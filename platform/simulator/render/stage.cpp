@@ -102,16 +102,16 @@ void add_lamps(PatchList& patches, std::vector<Lamp>& lamps, const World& world,
       const Vec3 b = stand.point(0.0F, kHalfWidth_m, -0.004F) - centre;
       const int panel = exitance > 0.0F ? patches.materials().lamp(exitance) : housing;
       patches.rectangle(centre - a - b, b * 2.0F, a * 2.0F, panel);
-      if (exitance > 0.0F) lamps.push_back({centre, a, b, exitance});
+      if (exitance > 0.0F) lamps.push_back({centre, a, b, exitance, {0.0F, 0.0F, -1.0F}});
     }
   }
 }
 
 Stage build_stage(const World& world, const FloorPlan& plan) {
-  Stage stage{Materials(world.file), {}, 0, {}, std::nullopt, Outdoors(), 0.0F};
+  Stage stage{Materials(world.file), {}, 0, {}, {}, std::nullopt, Outdoors(), 0.0F};
   PatchList patches(stage.materials);
   add_floor_and_ceiling(patches, world, plan);
-  add_walls(patches, world, plan);
+  add_walls(patches, stage.windows, world, plan);
   add_lamps(patches, stage.lamps, world, plan);
   for (const Pillar& pillar : world.pillars) add_pillar(patches, pillar, world, plan);
   for (const WorldObstacle& obstacle : world.obstacles) add_obstacle(patches, obstacle, plan);

@@ -11,12 +11,13 @@
 
 namespace striate::simulator::render {
 
-/// A fluorescent panel under the ceiling, shining down.
+/// A flat source: a fluorescent panel under the ceiling, or a window that lets the sky in.
 struct Lamp {
   Vec3 centre;
   Vec3 along;   ///< half its length
   Vec3 across;  ///< half its width
   float exitance = 0.0F;
+  Vec3 facing{0.0F, 0.0F, -1.0F};  ///< unit vector
 
   [[nodiscard]] float area_m2() const { return 4.0F * length(along) * length(across); }
 };
@@ -33,6 +34,7 @@ struct Stage {
   std::vector<Patch> patches;
   int light_texels = 0;
   std::vector<Lamp> lamps;
+  std::vector<Lamp> windows;
   std::optional<SunLight> sun;
   Outdoors outdoors;
   float sky = 0.0F;  ///< brightness of the view through the windows
@@ -43,7 +45,8 @@ struct Stage {
 
 // The parts of it, each in its own file.
 void add_floor_and_ceiling(PatchList& patches, const World& world, const FloorPlan& plan);
-void add_walls(PatchList& patches, const World& world, const FloorPlan& plan);
+void add_walls(PatchList& patches, std::vector<Lamp>& windows, const World& world,
+               const FloorPlan& plan);
 void add_door(PatchList& patches, const Stand& wall, float middle_m, const Door& door, int number);
 void add_pillar(PatchList& patches, const Pillar& pillar, const World& world,
                 const FloorPlan& plan);

@@ -127,6 +127,19 @@ void add_window(PatchList& patches, const Wall& wall, Span x) {
   bar({x.from, x.to}, {across - 0.035F, across + 0.035F});
 }
 
+/// The window as a source of light, just outside its frame.
+Lamp opening(const Wall& wall, Span x) {
+  const float middle = (x.from + x.to) / 2.0F;
+  const float high = (kSill_m + kLintel_m) / 2.0F;
+  const Vec3 centre = wall.point(middle, -kReveal_m, high);
+  const Vec3 inward = wall.point(middle, 1.0F - kReveal_m, high) - centre;
+  return {centre,
+          wall.point(x.to, -kReveal_m, high) - centre,
+          {0.0F, 0.0F, kLintel_m - high},
+          1.0F,
+          inward};
+}
+
 void add_face(PatchList& patches, const Wall& wall, const std::vector<Span>& windows) {
   const WallSegment& segment = wall.segment();
   const int material = patches.materials().find(segment.material, "wall");
@@ -185,13 +198,17 @@ void add_posters(PatchList& patches, const Wall& wall, const World& world) {
 
 }  // namespace
 
-void add_walls(PatchList& patches, const World& world, const FloorPlan& plan) {
+void add_walls(PatchList& patches, std::vector<Lamp>& openings, const World& world,
+               const FloorPlan& plan) {
   for (const WallSegment& segment : plan.walls) {
     const Wall wall(segment, plan);
     if (wall.length_m() < 1e-3F) continue;
     const std::vector<Span> windows = windows_on(wall, world);
     add_face(patches, wall, windows);
-    for (const Span& window : windows) add_window(patches, wall, window);
+    for (const Span& window : windows) {
+      add_window(patches, wall, window);
+      openings.push_back(opening(wall, window));
+    }
     std::vector<Span> doors;
     for (std::size_t i = 0; i < world.doors.size(); ++i) {
       const Door& door = world.doors[i];

@@ -1,8 +1,6 @@
 #include "platform/simulator/render/tracer.hpp"
 
-#include <cstdlib>
 #include <stdexcept>
-#include <string>
 
 namespace striate::simulator::render {
 namespace {
@@ -40,11 +38,9 @@ RTCScene build(RTCDevice device, const std::vector<Patch>& patches, unsigned id,
 
 Tracer::Tracer(const std::vector<Patch>& still) {
   // One thread: a run is one thread, and several runs share the machine.
-  device_ = rtcNewDevice((std::string("threads=1,user_threads=1,set_affinity=0") +
-                          (getenv("CFG") ? getenv("CFG") : ""))
-                             .c_str());
+  device_ = rtcNewDevice("threads=1,user_threads=1,set_affinity=0");
   if (device_ == nullptr) throw std::runtime_error("Embree cannot start on this machine");
-  still_ = build(device_, still, kStill, RTC_BUILD_QUALITY_HIGH);
+  still_ = build(device_, still, kStill, RTC_BUILD_QUALITY_MEDIUM);
 }
 
 Tracer::~Tracer() {
@@ -57,16 +53,14 @@ void Tracer::set_people(const std::vector<Patch>& people) {
   if (people_ != nullptr) rtcReleaseScene(people_);
   people_ = nullptr;
   has_people_ = !people.empty();
-  if (has_people_)
-    people_ = build(device_, people, kPeople,
-                    getenv("MED") ? RTC_BUILD_QUALITY_MEDIUM : RTC_BUILD_QUALITY_LOW);
+  if (has_people_) people_ = build(device_, people, kPeople, RTC_BUILD_QUALITY_LOW);
 }
 
 void Tracer::intersect(Packet& packet, bool coherent, bool people) const {
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
-  context.flags = coherent && !getenv("INC") ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT
-                                             : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
+  context.flags =
+      coherent ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
   rtcIntersect16(packet.valid.data(), still_, &context, &packet.rays);
   if (people && has_people_) rtcIntersect16(packet.valid.data(), people_, &context, &packet.rays);
 }

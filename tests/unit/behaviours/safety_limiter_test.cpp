@@ -145,7 +145,7 @@ TEST_F(Limiter, WithTheEmergencyLayerOffEchoesDoNothing) {
 TEST_F(Limiter, WhatMemoryHoldsStopsTheRobotAlsoWithoutTheEmergencyLayer) {
   settings.emergency_layer = false;
   limiter = SafetyLimiter(settings, robot);
-  const Percept wall = thing_at(0.0, 0.32);
+  const Percept wall = thing_at(0.0, 0.30);
   EXPECT_LT(settle(0.4, 0.0, &wall).forward_m_s, 0.02);
   EXPECT_EQ(limiter.reason(), LimitReason::memory_stop);
   EXPECT_EQ(limiter.emergency_stops(), 0);

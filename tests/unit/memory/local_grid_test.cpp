@@ -61,6 +61,18 @@ TEST(LocalGrid, MovingThingsFadeFasterThanStillOnes) {
   EXPECT_EQ(grid.state({2, 2}), FloorState::unknown);
 }
 
+TEST(LocalGrid, ASpeckStandsOnlyWithStrongEvidence) {
+  LocalGrid grid;
+  grid.add({5, 5}, 2.0F, kNow);
+  EXPECT_EQ(grid.state({5, 5}), FloorState::occupied);
+  EXPECT_FALSE(grid.stands({5, 5}));
+  grid.add({5, 5}, 1.2F, kNow);
+  EXPECT_TRUE(grid.stands({5, 5}));
+  for (int x = 20; x < 23; ++x) grid.add({x, 5}, 2.0F, kNow);
+  EXPECT_TRUE(grid.stands({21, 5}));
+  EXPECT_FALSE(grid.stands({20, 5}));  // an end has one neighbour only
+}
+
 TEST(LocalGrid, EvidenceIsBounded) {
   LocalGrid grid;
   for (int i = 0; i < 1000; ++i) grid.add({0, 0}, 1.0F, kNow);

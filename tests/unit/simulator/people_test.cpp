@@ -109,6 +109,24 @@ TEST(People, GoRoundWhatStandsInTheirWay) {
   }
 }
 
+TEST(People, WalkRoundBends) {
+  World world;
+  world.length_m = 30.0;
+  world.turns = {{10.0, radians(90.0)}, {20.0, radians(-90.0)}};
+  world.walks.push_back({{{28.0, 0.5}, {2.0, -0.5}}, 1.2, 0.0, false});
+  const FloorPlan plan = build_floor_plan(world);
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    People people(world, plan, RobotDescription{}, seed);
+    for (int step = 1; step <= 4500; ++step) {
+      people.step(0.01 * step, 0.01, {{0.5, 0.8, 0.0}, 0.0, 0.0});
+      if (!people.present(0) || step % 20 != 0) continue;
+      const Point2 at{people.slots()[0].pose.x_m, people.slots()[0].pose.y_m};
+      ASSERT_TRUE(inside_polygon(at, plan.outline)) << at.x_m << ", " << at.y_m;
+    }
+    EXPECT_NEAR(plan.along(people.slots()[0].pose).x_m, 2.0, 0.5) << "seed " << seed;
+  }
+}
+
 TEST(People, GetThroughTheShippedCorridors) {
   for (const char* name : {"corridor_a", "corridor_b", "corridor_c"}) {
     const World world = shipped(name);
@@ -174,7 +192,7 @@ TEST(People, LeaveABrakingRobotRoomToStop) {
   int runs = 0;
   for (const char* name : {"corridor_a", "corridor_b", "corridor_c"}) {
     const World world = shipped_without_things(name);
-    for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+    for (std::uint64_t seed = 1; seed <= 4; ++seed) {
       BrakingRobot robot(world, seed, true);
       const Outcome outcome = robot.drive(seed % 2 == 0 ? 0.4 : 0.7);
       ++runs;
@@ -193,7 +211,7 @@ TEST(People, NeverRunIntoARobotFromBehindOrFromTheSide) {
   int touched = 0;
   for (const char* name : {"corridor_a", "corridor_b", "corridor_c"}) {
     const World world = shipped_without_things(name);
-    for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+    for (std::uint64_t seed = 1; seed <= 4; ++seed) {
       BrakingRobot robot(world, seed, false);
       if (robot.drive(0.3) != Outcome::collided) continue;
       ++touched;

@@ -80,6 +80,15 @@ TEST(SimulatedPioneer, StopsByItselfWithoutCommands) {
   EXPECT_EQ(robot.scene().forward_m_s, 0.0);
 }
 
+TEST(SimulatedPioneer, ACommandThatIsNoNumberStopsTheWheels) {
+  SimulatedPioneer robot(straight_world(), 1, exact(), nullptr);
+  Senses senses;
+  ASSERT_TRUE(drive(robot, senses, {.forward_m_s = 0.4}, 20));
+  ASSERT_TRUE(drive(robot, senses, {.forward_m_s = std::nan(""), .pan_rad = std::nan("")}, 20));
+  EXPECT_EQ(robot.scene().forward_m_s, 0.0);
+  EXPECT_TRUE(std::isfinite(robot.scene().head.pan_rad));
+}
+
 TEST(SimulatedPioneer, StopsWhenTheLinkDies) {
   SimulatorSettings settings = exact();
   settings.faults.link_stops_at_s = 3.0;

@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "config/user_error.hpp"
+#include "platform/simulator/random.hpp"
 
 namespace striate::simulator {
 namespace {
@@ -243,6 +244,26 @@ TEST(WorldReader, TellsAllMistakesInOnePass) {
                             "test.yaml:8:21:", "test.yaml:9:16:"}) {
     EXPECT_THAT(text, HasSubstr(place));
   }
+}
+
+TEST(WorldReader, SurvivesDamagedFiles) {
+  std::ifstream stream(STRIATE_SOURCE_DIR "/config/worlds/corridor_c.yaml");
+  const std::string whole((std::istreambuf_iterator<char>(stream)), {});
+  ASSERT_GT(whole.size(), 1000u);
+  const Random random(1, Purpose::walk);
+  const std::string spice = "[]{}:,- #\n\"'0129-.mdegx&*!|";
+  int refused = 0;
+  for (std::uint64_t trial = 0; trial < 400; ++trial) {
+    std::string text = whole;
+    for (std::uint64_t damage = 0; damage < 1 + trial % 4; ++damage) {
+      const std::uint64_t draw = random.bits(10 * trial + damage);
+      text[draw % text.size()] = spice[(draw >> 32) % spice.size()];
+    }
+    config::Mistakes mistakes("damaged.yaml");
+    (void)parse_world(text, mistakes);
+    refused += !mistakes.none();
+  }
+  EXPECT_GT(refused, 100);
 }
 
 TEST(WorldReader, LoadingAMissingFileIsAUsersMistake) {
