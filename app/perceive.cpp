@@ -68,7 +68,7 @@ StereoFrame read_pair(const PerceiveOptions& o) {
 double split_near_from_far(const cv::Mat1f& disparity_px) {
   constexpr int kBins = 1024;
   constexpr double kBin_px = 0.25;
-  constexpr double kOutliers = 0.02;
+  constexpr double kOutliers = 0.12;
   double left_out = 0.0;
   std::vector<double> histogram(kBins, 0.0);
   double total = 0.0;

@@ -27,7 +27,10 @@ void describe_camera(const StereoFrame& frame, int width, DisparityMap& map) {
 }  // namespace
 
 Perception::Perception(const PerceptionSettings& settings, const RobotDescription& robot)
-    : settings_(settings), robot_(robot), matcher_(settings.stereo) {}
+    : settings_(settings),
+      robot_(robot),
+      matcher_(settings.stereo),
+      keypoint_finder_(settings.keypoints) {}
 
 void Perception::measure_depth(const StereoFrame& frame, const cv::Mat1b& left, Percept& percept) {
   if (frame.right.empty()) return;
@@ -67,6 +70,9 @@ Percept Perception::see(const StereoFrame& frame) {
     percept.saliency =
         find_salience(colour, percept.disparity,
                       ViewGeometry(percept.disparity, frame.head, robot_), settings_.saliency);
+  }
+  if (settings_.keypoints_every > 0 && pictures_ % settings_.keypoints_every == 0) {
+    percept.keypoints = keypoint_finder_.find(grey);
   }
   ++pictures_;
   return percept;

@@ -4,6 +4,7 @@
 
 #include "config/settings.hpp"
 #include "perception/corridor/corridor_view.hpp"
+#include "perception/keypoints/keypoints.hpp"
 #include "perception/obstacles/obstacles.hpp"
 #include "perception/percept.hpp"
 #include "perception/saliency/saliency.hpp"
@@ -18,7 +19,9 @@ struct PerceptionSettings {
   ObstacleSettings obstacles;
   CorridorSettings corridor;
   SaliencySettings saliency;
-  int saliency_every = 1;  ///< pictures; in between the percept has no saliency
+  KeypointSettings keypoints;
+  int keypoints_every = 1;  ///< pictures; in between the percept has no keypoints; 0: never
+  int saliency_every = 1;   ///< pictures; in between the percept has no saliency
 };
 
 template <class V>
@@ -27,7 +30,10 @@ void visit(V& v, PerceptionSettings& s) {
   v.section("obstacles", s.obstacles);
   v.section("corridor", s.corridor);
   v.section("saliency", s.saliency);
+  v.section("keypoints", s.keypoints);
   v.integer("saliency_every", s.saliency_every, {1, 100}, "saliency in every n-th picture");
+  v.integer("keypoints_every", s.keypoints_every, {0, 100},
+            "keypoints in every n-th picture; 0: never");
 }
 
 /// All of seeing: one picture pair in, one percept out. Holds no memory of earlier pictures but
@@ -49,6 +55,7 @@ class Perception {
   PerceptionSettings settings_;
   RobotDescription robot_;
   StereoMatcher matcher_;
+  KeypointFinder keypoint_finder_;
   std::int64_t pictures_ = 0;
 };
 

@@ -12,6 +12,7 @@ namespace {
 
 constexpr double kWallsCount = 1.0;  // weight of stereo's walls against the edges' score
 constexpr double kPlanesCount = 1.0;
+constexpr double kBeyond_rad = 0.2;  // searched too, so that what lies there beats a wrong guess
 constexpr double kSameHeading_rad = 0.06;
 constexpr double kHalfBelief_px = 50.0;  // this much converging line gives half the confidence
 constexpr double kGoodSpread_px = 1.0;
@@ -67,7 +68,7 @@ double confidence_of(const Candidate& best, double runner_up_score, double aslan
                        (best.point.lines > 1 ? 1.0 : kOneLine) /
                        (1.0 + 0.5 * std::max(0.0, best.point.spread_px - kGoodSpread_px));
   const double planes = std::clamp((best.planes - kChancePlane) / kSurePlane, 0.0, 1.0) *
-                        std::max(0.0, 1.0 - aslant * aslant);
+                        std::max(0.0, 1.0 - aslant * aslant) * 0.5 * (1.0 + alone);
   return 1.0 - (1.0 - kMostOfEdges * edges * alone) * (1.0 - kMostOfPlanes * planes);
 }
 
@@ -76,7 +77,7 @@ std::vector<Candidate> list_candidates(const cv::Mat1b& grey, const DisparityMap
                                        const CorridorSettings& settings) {
   VanishingSearch search;
   search.horizon_v_px = camera.centre_v_px + camera.focal_px * std::tan(head.tilt_rad);
-  const double reach_px = camera.focal_px * std::tan(settings.widest_rad);
+  const double reach_px = camera.focal_px * std::tan(settings.widest_rad + kBeyond_rad);
   search.from_u_px = camera.centre_u_px - reach_px;
   search.to_u_px = camera.centre_u_px + reach_px;
   for (const UprightPlane& plane : depth.planes) search.also_u_px.push_back(plane.vanishing_u_px);
@@ -87,7 +88,9 @@ std::vector<Candidate> list_candidates(const cv::Mat1b& grey, const DisparityMap
     Candidate c;
     c.point = point;
     c.heading_rad = heading_of(point, camera, head);
-    if (std::abs(wrap_angle(c.heading_rad - head.pan_rad)) > settings.widest_rad) continue;
+    if (std::abs(wrap_angle(c.heading_rad - head.pan_rad)) > settings.widest_rad + kBeyond_rad) {
+      continue;
+    }
     c.walls = find_walls(depth.points, c.heading_rad);
     for (const UprightPlane& plane : depth.planes) {
       const VanishingPoint there{plane.vanishing_u_px, search.horizon_v_px};
@@ -118,7 +121,8 @@ CorridorView view_corridor(const cv::Mat1b& grey, const DisparityMap& map, const
   if (!map.disparity_px.empty() && map.baseline_m > 0.0) {
     const ViewGeometry geometry(map, head, robot);
     depth.points = collect_wall_points(map, geometry);
-    depth.planes = find_upright_planes(map, geometry, map.focal_px * std::tan(settings.widest_rad));
+    depth.planes = find_upright_planes(map, geometry,
+                                       map.focal_px * std::tan(settings.widest_rad + kBeyond_rad));
     camera = camera_for(map, map.disparity_px.size(), grey.size());
     const double scale = static_cast<double>(grey.cols) / map.disparity_px.cols;
     for (UprightPlane& plane : depth.planes) {
@@ -130,7 +134,7 @@ CorridorView view_corridor(const cv::Mat1b& grey, const DisparityMap& map, const
   const Candidate& best = candidates.front();
   const double aslant = wrap_angle(best.heading_rad - head.pan_rad) / settings.widest_rad;
   view.confidence = confidence_of(best, candidates.size() > 1 ? candidates[1].score : 0.0, aslant);
-  view.valid = view.confidence >= settings.least_confidence;
+  view.valid = view.confidence >= settings.least_confidence && std::abs(aslant) <= 1.0;
   if (!view.valid) return {};
   view.heading_rad = best.heading_rad;
   view.left_m = best.walls.left.distance_m;

@@ -48,16 +48,20 @@ ColumnHit hit_of(const Standing& standing, const JudgedMap& judged, const ViewGe
   return hit;
 }
 
-double floor_range_m(const ViewGeometry& geometry, int u, double v) {
-  const SpacePoint p = geometry.point(u, v, geometry.floor_disparity_px(v));
+/// Distance of what has the floor's disparity in row v, or `more_px` more.
+double floor_range_m(const ViewGeometry& geometry, int u, double v, double more_px) {
+  const SpacePoint p = geometry.point(u, v, geometry.floor_disparity_px(v) + more_px);
   return std::hypot(p.x_m, p.y_m);
 }
 
-Column column_of(const ColumnHit& hit, const FreeFloor& free, const ViewGeometry& geometry, int u) {
+/// The last floor seen may be the foot of something blank that rises above the floor line by less
+/// than the margin: the floor is free only up to where such a thing would stand.
+Column column_of(const ColumnHit& hit, const FreeFloor& free, const ViewGeometry& geometry, int u,
+                 double margin_px) {
   Column column;
   if (free.from_row >= 0) {
-    column.free_from_m = floor_range_m(geometry, u, free.from_row);
-    column.free_to_m = floor_range_m(geometry, u, free.to_row);
+    column.free_from_m = floor_range_m(geometry, u, free.from_row, 0.0);
+    column.free_to_m = floor_range_m(geometry, u, free.to_row, margin_px);
     column.free_confidence = free.confidence;
   }
   Point2 at = geometry.level_point(u, geometry.focal_baseline() / kBearingDistance_m);
@@ -92,7 +96,7 @@ ObstacleView find_obstacles(const DisparityMap& map, const HeadPose& head,
   view.columns.resize(width);
   for (int u = 0; u < width; ++u) {
     hits[u] = hit_of(standing[u], judged, geometry, u);
-    view.columns[u] = column_of(hits[u], free[u], geometry, u);
+    view.columns[u] = column_of(hits[u], free[u], geometry, u, settings.floor_margin_px);
   }
   view.obstacles = join_columns(hits);
   return view;

@@ -99,6 +99,21 @@ TEST(Perception, SalienceComesInEveryNthPicture) {
   }
 }
 
+TEST(Perception, KeypointsLieInTheWholePictureAndComeWhenAskedFor) {
+  PerceptionSettings settings;
+  settings.keypoints_every = 2;
+  Perception perception(settings, {});
+  const StereoFrame frame = board_at(2.0);
+  const std::vector<Keypoint> found = perception.see(frame).keypoints;
+  ASSERT_GT(found.size(), 20U);
+  double rightmost = 0.0;
+  for (const Keypoint& k : found) rightmost = std::max(rightmost, k.u_px);
+  EXPECT_GT(rightmost, 200.0);  // the picture is 320 wide, not the working size's 160
+  EXPECT_TRUE(perception.see(frame).keypoints.empty());
+  settings.keypoints_every = 0;
+  EXPECT_TRUE(Perception(settings, {}).see(frame).keypoints.empty());
+}
+
 TEST(NoiseEstimate, FindsTheNoiseOfABlankPictureAndNotItsEdges) {
   for (const double sigma : {1.0, 3.0, 8.0}) {
     cv::Mat1b grey(240, 320);
