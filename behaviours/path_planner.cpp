@@ -15,6 +15,8 @@ constexpr double kUnknownPrice = 1.4;
 constexpr double kOutsidePrice = 6.0;
 constexpr double kOutsideTolerance_m = 0.15;
 constexpr double kEdgePrice = 4.0;
+constexpr double kSqueezePrice = 10.0;
+constexpr double kSqueeze_m = 0.15;
 constexpr double kEdgeComfort_m = 0.25;
 constexpr double kOffLinePrice = 0.30;  // per square metre off the wanted line
 constexpr double kOffLineMost = 1.2;
@@ -95,6 +97,8 @@ float PathPlanner::price_of(const FloorField& field, const PlanRequest& request,
   const double edge_m = field.seen_clearance_m(place) - request.half_width_m;
   const double edging = std::clamp(1.0 - edge_m / kEdgeComfort_m, 0.0, 1.0);
   price += kEdgePrice * edging * edging;
+  // Between a thing and the edge of knowledge: the room that a plain wall leaves is not known.
+  if (margin_m < kSqueeze_m && edge_m < 0.0) price += kSqueezePrice;
   const double off_m = inner.y_m - request.wanted_left_m;
   price += std::min(kOffLineMost, kOffLinePrice * off_m * off_m);
   if (chosen_[static_cast<std::size_t>(node)] != 0) price *= kHabit;

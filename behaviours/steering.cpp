@@ -14,6 +14,7 @@ constexpr double kMostTurn_rad_s = 0.9;
 constexpr double kRollOut_s = 1.4;
 constexpr double kRollStep_s = 0.1;
 constexpr double kEdgeLook_s = 1.0;
+constexpr double kSqueezed_m = 0.10;
 constexpr std::array<double, 11> kTurnOffsets{0.0,  0.08, -0.08, 0.18, -0.18, 0.3,
                                               -0.3, 0.5,  -0.5,  0.8,  -0.8};
 constexpr std::array<double, 3> kSpeedShares{1.0, 0.6, 0.3};
@@ -65,7 +66,9 @@ Drive Steering::turn_in_place(double angle_rad, const FloorField& field, const P
 }
 
 Drive Steering::follow(const Way& way, const FloorField& field, const Pose2& robot,
-                       double speed_m_s, double least_clearance_m) const {
+                       const Limits& limits) const {
+  const double speed_m_s = limits.speed_m_s;
+  const double least_clearance_m = limits.least_clearance_m;
   double lookahead_m = kLookaheadLeast_m + kLookaheadPerSpeed_s * speed_m_s;
   if (way.least_margin_m < 0.15) lookahead_m = kLookaheadLeast_m;
   const Point2 target = to_inner(robot, point_at(way, lookahead_m));
@@ -89,6 +92,7 @@ Drive Steering::follow(const Way& way, const FloorField& field, const Pose2& rob
       const double crowding = std::max(0.0, 1.0 - clear_m / wanted_clearance_m_);
       const Pose2 end = along_arc(robot, forward, candidate.turn_rad_s, kEdgeLook_s);
       const double edge_m = footprint_.seen_clearance_m(field, end);
+      if (!limits.daring && clear_m < kSqueezed_m && edge_m <= 0.0) continue;
       const double edging = std::max(0.0, 1.0 - edge_m / wanted_clearance_m_);
       const double score =
           std::abs(offset) + 0.8 * crowding * crowding + 0.7 * edging + 0.5 * (1.0 - share);

@@ -22,8 +22,14 @@ class Steering {
 
   /// `speed_m_s`: as fast as anything else allows. `least_clearance_m`: nearer than this only
   /// where the robot already is so near, and only on arcs that lead away.
+  /// Unless `daring` no arc squeezes between a thing and the edge of what is seen.
+  struct Limits {
+    double speed_m_s = 0.0;
+    double least_clearance_m = 0.0;
+    bool daring = false;
+  };
   [[nodiscard]] Drive follow(const Way& way, const FloorField& field, const Pose2& robot,
-                             double speed_m_s, double least_clearance_m) const;
+                             const Limits& limits) const;
 
   /// The point of the way at this length from its start (its end if it is shorter).
   [[nodiscard]] static Point2 point_at(const Way& way, double length_m);

@@ -138,8 +138,8 @@ Wish WayFollower::drive(const ShortTermMemory& memory, const Course& course) {
     wish.why = text("waits: {}", pace.reason);
     return wish;
   }
-  const Drive drive =
-      steering_.follow(planner_.way(), field_, memory.pose(), speed, 0.6 * least_margin_m());
+  const Drive drive = steering_.follow(planner_.way(), field_, memory.pose(),
+                                       {speed, 0.6 * least_margin_m(), troubles_ >= kTightAfter});
   if (!drive.possible) {
     wish.why = "no arc keeps clear";
     if (to_seconds(memory.now() - impossible_since_) > kImpossible_s) {
@@ -171,8 +171,9 @@ Wish WayFollower::wait(const ShortTermMemory& memory) {
   // A way that opens for a moment is noise: it has to stay open.
   if (way_is_open() && since_s > 0.5) {
     impossible_since_ = memory.now() + from_seconds(0.5);
-    const Drive drive = steering_.follow(planner_.way(), field_, memory.pose(),
-                                         settings_.pace.narrow_m_s, 0.6 * least_margin_m());
+    const Drive drive = steering_.follow(
+        planner_.way(), field_, memory.pose(),
+        {settings_.pace.narrow_m_s, 0.6 * least_margin_m(), troubles_ >= kTightAfter});
     if (drive.possible) enter(State::driving, memory);
   }
   if (since_s > settings_.patience_s) {

@@ -19,7 +19,7 @@ namespace striate {
 struct ShortTermMemorySettings {
   double free_fades_s = 30.0;
   double occupied_fades_s = 90.0;
-  double moving_fades_s = 2.0;
+  double moving_fades_s = 3.5;
   double blur_after_s = 4.0;
   double blur_every_m = 1.0;
   double blur_share = 0.06;

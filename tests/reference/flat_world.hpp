@@ -220,11 +220,12 @@ class World {
     Point2 to{person.at.x_m + dx / left_m * step_m, person.at.y_m + dy / left_m * step_m};
     const double now_m = point_distance(person.at) - kPersonRadius_m;
     const double then_m = point_distance(to) - kPersonRadius_m;
-    if (then_m < 0.55 && then_m < now_m) {
+    const double polite_m = person.held_s < 2.0 ? 0.55 : 0.25;
+    if (then_m < polite_m && then_m < now_m) {
       person.held_s += dt;
       if (person.held_s < 2.0) return;
       // Round the robot on the roomier side.
-      const double aside = pose_.y_m > 0.0 ? -1.0 : 1.0;
+      const double aside = person.at.y_m < pose_.y_m ? -1.0 : 1.0;
       to = {person.at.x_m, std::clamp(person.at.y_m + aside * step_m, -0.9, 0.9)};
       if (point_distance(to) - kPersonRadius_m < now_m - 1e-9) return;
     }

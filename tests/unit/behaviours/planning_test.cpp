@@ -146,7 +146,7 @@ TEST_F(Planning, SteeringFollowsTheWayAndNeverThroughAThing) {
   box(0.8, 1.2, -1.2, 0.05);
   const RobotDescription robot;
   const Steering steering(robot, 0.12);
-  const Drive drive = steering.follow(plan(), field, {}, 0.3, 0.04);
+  const Drive drive = steering.follow(plan(), field, {}, {0.3, 0.04, false});
   ASSERT_TRUE(drive.possible);
   EXPECT_GT(drive.turn_rad_s, 0.1);
   for (double t = 0.0; t < 1.4; t += 0.1) {
@@ -159,7 +159,7 @@ TEST_F(Planning, SteeringTurnsOnTheSpotWhenTheWayLeadsBehind) {
   plan();
   const RobotDescription robot;
   const Steering steering(robot, 0.12);
-  const Drive drive = steering.follow(planner.way(), field, {0.0, 0.0, 2.0}, 0.4, 0.04);
+  const Drive drive = steering.follow(planner.way(), field, {0.0, 0.0, 2.0}, {0.4, 0.04, false});
   ASSERT_TRUE(drive.possible);
   EXPECT_EQ(drive.forward_m_s, 0.0);
   EXPECT_LT(drive.turn_rad_s, -0.2);

@@ -103,7 +103,7 @@ TEST_F(ShortTermMemoryTest, APersonOutOfViewIsForgottenInSeconds) {
   }
   see_box(4);  // somebody stepped in
   ASSERT_EQ(at(memory, 2.0, 0.0), FloorState::occupied);
-  idle(60);
+  idle(100);
   EXPECT_NE(at(memory, 2.0, 0.0), FloorState::occupied);
 }
 
