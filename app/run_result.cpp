@@ -1,6 +1,7 @@
 #include "app/run_result.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <cerrno>
 #include <cmath>
@@ -8,6 +9,8 @@
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
+
+#include "config/user_error.hpp"
 
 namespace striate {
 namespace {
@@ -92,6 +95,17 @@ void write_file(const std::string& path, const std::string& content) {
   std::filesystem::rename(beside, target, code);
   if (code)
     throw std::runtime_error(fmt::format("{}: cannot be written: {}", path, code.message()));
+}
+
+void check_writable(const std::string& path) {
+  const std::filesystem::path target(path);
+  const std::filesystem::path folder = target.has_parent_path() ? target.parent_path() : ".";
+  std::error_code code;
+  std::filesystem::create_directories(folder, code);
+  if (!code && !std::filesystem::is_directory(target) && access(folder.c_str(), W_OK) == 0) return;
+  throw UserError(
+      fmt::format("{}: nothing can be written there{}\n    give a path in a folder of yours", path,
+                  code ? ": " + code.message() : std::string()));
 }
 
 }  // namespace striate

@@ -47,4 +47,8 @@ struct RunResult {
 /// @throws std::runtime_error saying which file and why.
 void write_file(const std::string& path, const std::string& content);
 
+/// Makes the folder of a file that is to be written later, so that a long run does not fail at its
+/// last step. @throws UserError where nothing can be written there.
+void check_writable(const std::string& path);
+
 }  // namespace striate

@@ -66,6 +66,7 @@ int exit_code_of(const RunResult& result) {
 int run(const RunOptions& given) {
   RunOptions options = given;
   options.mission.emergency_layer = !options.no_emergency;
+  if (!options.result.empty()) check_writable(options.result);
   const Interrupt interrupt;
   Mission mission(options.mission);
   MissionPictures pictures(options.pictures, options.picture_every);

@@ -95,12 +95,12 @@ TEST(CommandLine, SimRendersAPlaceAndRefusesNonsense) {
   EXPECT_THAT(bad.err, HasSubstr("12 m, 0.2 m, 5 deg"));
 }
 
-TEST(CommandLine, AResultThatCannotBeWrittenIsSaid) {
-  const Ended ended =
-      striate({"run", "config/tasks/corridor.yaml", "--world", "config/worlds/short.yaml",
-               "--quiet", "--result", "/proc/no/r.json"});
-  EXPECT_EQ(ended.exit_code, 1);
-  EXPECT_THAT(ended.err, HasSubstr("/proc/no/r.json: cannot be written"));
+TEST(CommandLine, AResultThatCannotBeWrittenIsSaidBeforeAnythingMoves) {
+  const Ended ended = striate({"run", "config/tasks/corridor.yaml", "--world",
+                               "config/worlds/short.yaml", "--result", "/proc/no/r.json"});
+  EXPECT_EQ(ended.exit_code, 2);
+  EXPECT_THAT(ended.err, HasSubstr("/proc/no/r.json: nothing can be written there"));
+  EXPECT_THAT(ended.out, testing::IsEmpty());
 }
 
 }  // namespace

@@ -1,5 +1,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
+
+#include <csignal>
+#include <filesystem>
+#include <fstream>
 
 #include "app/place_text.hpp"
 #include "app/run_result.hpp"
@@ -52,6 +57,33 @@ TEST(RunResult, JsonRoundTripKeepsEverything) {
   EXPECT_EQ(to_json(back).dump(), to_json(result).dump());
   EXPECT_THROW((void)run_result_from_json(nlohmann::json::parse("{\"outcome\": 3}")),
                std::runtime_error);
+}
+
+TEST(WriteFile, AFullDiskIsSaidAndTheOldFileStays) {
+  const std::string file = testing::TempDir() + "striate_full_disk.json";
+  write_file(file, "old");
+  // A limit on file size fails writes as a full disk does, half-way through the content.
+  rlimit before{};
+  getrlimit(RLIMIT_FSIZE, &before);
+  rlimit tiny = before;
+  tiny.rlim_cur = 100;
+  auto* const handler = std::signal(SIGXFSZ, SIG_IGN);
+  setrlimit(RLIMIT_FSIZE, &tiny);
+  std::string said;
+  try {
+    write_file(file, std::string(100000, 'x'));
+  } catch (const std::runtime_error& error) {
+    said = error.what();
+  }
+  setrlimit(RLIMIT_FSIZE, &before);
+  std::signal(SIGXFSZ, handler);
+  EXPECT_THAT(said, HasSubstr("striate_full_disk.json: cannot be written"));
+  EXPECT_FALSE(std::filesystem::exists(file + ".part"));
+  std::ifstream stream(file);
+  std::string content;
+  stream >> content;
+  EXPECT_EQ(content, "old");
+  std::filesystem::remove(file);
 }
 
 TEST(TrialPlan, NamesEveryRunOnce) {
