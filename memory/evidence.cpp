@@ -22,6 +22,18 @@ std::size_t slot(GridCell cell) {
          static_cast<std::size_t>(cell.x & (LocalGrid::kSide - 1));
 }
 
+/// A thing that stands is measured anew in every picture, so its edge wanders over floor that was
+/// seen free; that is no motion.
+bool beside_something_still(GridCell cell, const LocalGrid& grid) {
+  constexpr int kReach = static_cast<int>(0.15 / LocalGrid::kCell_m);
+  for (int y = cell.y - kReach; y <= cell.y + kReach; ++y) {
+    for (int x = cell.x - kReach; x <= cell.x + kReach; ++x) {
+      if (grid.state({x, y}) == FloorState::occupied && grid.moving({x, y}) < 0.2F) return true;
+    }
+  }
+  return false;
+}
+
 }  // namespace
 
 EvidenceWriter::EvidenceWriter(const EvidenceSettings& settings, double camera_height_m)
@@ -165,7 +177,8 @@ void EvidenceWriter::settle(GridCell cell, const Mass& mass, const Look& look,
       boost * settings_.occupied_gain * occupied - eager * settings_.free_gain * free;
   if (occupied > 0.3 && change > 0.0) {
     const bool startled = before < kSurelyFree && distance_m < kMotionSeen_m &&
-                          to_seconds(look.stamp - grid.last_seen(cell)) < kStartled_s;
+                          to_seconds(look.stamp - grid.last_seen(cell)) < kStartled_s &&
+                          !beside_something_still(cell, grid);
     const float moved = grid.moving(cell);
     // What has moved may move on: it calms quickly, but not wholly.
     const float calm = (moved > kSettled ? kCalming : kCalmingOn) * moved;

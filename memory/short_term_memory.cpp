@@ -73,6 +73,7 @@ void ShortTermMemory::see(const Percept& percept) {
   if (!history_.reaches(percept.stamp)) return;  // too old to say where it belongs
   const Pose2 at = history_.at(percept.stamp);
   evidence_.write(percept, at, grid_);
+  blank_view_.see(percept, at, grid_);
   corridor_.see(percept.corridor, at, pose_);
 
   int knowing = 0;

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "config/settings.hpp"
+#include "memory/blank_view.hpp"
 #include "memory/corridor_memory.hpp"
 #include "memory/evidence.hpp"
 #include "memory/local_grid.hpp"
@@ -105,6 +106,7 @@ class ShortTermMemory {
   RobotDescription robot_;
   LocalGrid grid_;
   EvidenceWriter evidence_;
+  BlankView blank_view_;
   OdometryHistory history_;
   CorridorMemory corridor_;
   WallFitter wall_fitter_;

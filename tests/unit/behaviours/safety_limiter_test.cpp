@@ -17,6 +17,7 @@ class Limiter : public testing::Test {
     senses.now = looks::at_ms(ms);
     senses.odometry.stamp = senses.now;
     Percept percept = shown != nullptr ? *shown : looks::blank_percept(ms);
+    if (shown == nullptr) looks::see_floor(percept, 2.2, 5.0);
     percept.stamp = looks::at_ms(ms - picture_age_ms);
     memory.update(senses, percept);
     Wish wish = standing_wish(memory, "test");
