@@ -20,7 +20,7 @@ struct PerceptionSettings {
   CorridorSettings corridor;
   SaliencySettings saliency;
   KeypointSettings keypoints;
-  int keypoints_every = 1;  ///< pictures; in between the percept has no keypoints; 0: never
+  int keypoints_every = 5;  ///< pictures; in between the percept has no keypoints; 0: never
   int saliency_every = 1;   ///< pictures; in between the percept has no saliency
 };
 
