@@ -26,6 +26,14 @@ RobotSettings settings_for(const MissionOptions& options) {
   return settings;
 }
 
+/// How far to drive is for the person to say: to the goal line and a little beyond, because the
+/// robot's own count of its way is not exact.
+GivenVariables course_of(const simulator::World& world) {
+  constexpr double kBeyond_m = 1.5;
+  const double way_m = world.goal_beyond_m - world.start.x_m + kBeyond_m;
+  return {{"way", config::print_quantity(way_m, config::Unit::length)}};
+}
+
 }  // namespace
 
 Mission::Mission(const MissionOptions& options)
@@ -33,7 +41,7 @@ Mission::Mission(const MissionOptions& options)
       settings_(settings_for(options)),
       world_(simulator::load_world(options.world)),
       plan_(simulator::build_floor_plan(world_)),
-      executive_(load_task(options.task, RobotDescription{})),
+      executive_(load_task(options.task, RobotDescription{}, course_of(world_))),
       pictures_(std::make_unique<RendererPictures>(world_, plan_, settings_.camera, options.seed)),
       body_(std::make_unique<simulator::SimulatedPioneer>(world_, options.seed, settings_.simulator,
                                                           pictures_.get())),

@@ -19,8 +19,8 @@ const std::vector<std::string> kStepKeys = {"until", "within", "if_it_fails"};
 
 class TaskReader {
  public:
-  TaskReader(const RobotDescription& robot, Mistakes& mistakes)
-      : robot_(robot), mistakes_(mistakes) {}
+  TaskReader(const RobotDescription& robot, const GivenVariables& given, Mistakes& mistakes)
+      : robot_(robot), given_(given), mistakes_(mistakes) {}
 
   Task read(Node root) {
     Task task;
@@ -46,6 +46,11 @@ class TaskReader {
     Variables variables;
     if (const Node::Entry* entry = root.find("vars")) {
       variables = read_variables(entry->value, mistakes_);
+      for (const auto& [name, value] : given_) {
+        if (const auto found = variables.find(name); found != variables.end()) {
+          found->second.text = value;
+        }
+      }
     }
     for (Node::Entry& entry : root.entries) {
       if (entry.key != "vars") substitute(entry.value, variables, mistakes_);
@@ -121,18 +126,21 @@ class TaskReader {
   }
 
   const RobotDescription& robot_;
+  const GivenVariables& given_;
   Mistakes& mistakes_;
 };
 
 }  // namespace
 
-Task read_task(const std::string& text, Mistakes& mistakes, const RobotDescription& robot) {
-  return TaskReader(robot, mistakes).read(parse_yaml(text, mistakes));
+Task read_task(const std::string& text, Mistakes& mistakes, const RobotDescription& robot,
+               const GivenVariables& given) {
+  return TaskReader(robot, given, mistakes).read(parse_yaml(text, mistakes));
 }
 
-Task load_task(const std::string& file, const RobotDescription& robot) {
+Task load_task(const std::string& file, const RobotDescription& robot,
+               const GivenVariables& given) {
   Mistakes mistakes(file);
-  Task task = TaskReader(robot, mistakes).read(load_yaml(mistakes));
+  Task task = TaskReader(robot, given, mistakes).read(load_yaml(mistakes));
   mistakes.throw_if_any();
   return task;
 }

@@ -38,7 +38,7 @@ std::string status_text(const Mission& mission) {
 }
 
 void print_summary(const RunResult& result, const RunOptions& options) {
-  fmt::print("{} of {} in {}: {}{}\n", result.task, result.seed, result.world, result.outcome,
+  fmt::print("{} in {}, seed {}: {}{}\n", result.task, result.world, result.seed, result.outcome,
              result.reason.empty() ? "" : " (" + result.reason + ")");
   fmt::print("  goal reached      {}\n", result.reached_goal ? "yes" : "no");
   fmt::print("  driven            {:.1f} m in {:.0f} s ({:.2f} m/s)\n", result.distance_m,

@@ -85,6 +85,17 @@ TEST(TaskReader, TellsAllMistakesInOnePassWithTheirPlaces) {
   EXPECT_THAT(text, HasSubstr("t.yaml:15:10: error: 'finally' must be a list of steps"));
 }
 
+TEST(TaskReader, GivenValuesReplaceDeclaredVariablesOnly) {
+  const std::string script =
+      "striate: 1\nvars: {far: 3 m}\ndo:\n  - wait: {}\n    until: {travelled: $far}\n";
+  config::Mistakes good("t.yaml");
+  read_task(script, good, RobotDescription{}, {{"far", "5 m"}, {"other", "7 s"}});
+  EXPECT_TRUE(good.none()) << good.text();
+  config::Mistakes bad("t.yaml");
+  read_task(script, bad, RobotDescription{}, {{"far", "5 s"}});
+  EXPECT_THAT(bad.text(), HasSubstr("'5 s' has the wrong unit"));
+}
+
 TEST(TaskReader, SaysWhatIsMissing) {
   EXPECT_THAT(mistakes_of("mission: x\n"), HasSubstr("the task needs 'striate'"));
   EXPECT_THAT(mistakes_of("striate: 1\n"), HasSubstr("the task needs 'do'"));
