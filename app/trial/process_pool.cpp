@@ -15,8 +15,6 @@
 #include <stdexcept>
 #include <thread>
 
-extern char** environ;
-
 namespace striate {
 namespace {
 
