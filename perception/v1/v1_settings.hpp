@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+
 #include "config/settings.hpp"
 
 namespace striate {
@@ -37,8 +39,8 @@ void visit(V& v, V1Settings& s) {
 }
 
 /// Side of the square support of a kernel: 5 lambda, made odd; radius = side / 2.
-[[nodiscard]] constexpr int gabor_side(double wavelength_px) {
-  const int side = static_cast<int>(5.0 * wavelength_px + 0.5);
+[[nodiscard]] inline int gabor_side(double wavelength_px) {
+  const int side = static_cast<int>(std::lround(5.0 * wavelength_px));
   return side % 2 == 1 ? side : side + 1;
 }
 
