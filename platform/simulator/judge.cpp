@@ -8,6 +8,10 @@
 namespace striate::simulator {
 namespace {
 
+/// The physics feels a touch by its own skin of about 2 mm, and not at every grazing pass: what is
+/// nearer than that by the exact distance is touched as well.
+constexpr double kTouchingM = 0.002;
+constexpr double kWatchedM = 0.03;  ///< so near it is measured at every step
 constexpr double kNearM = 0.10;
 constexpr double kFarAgainM = 0.15;  ///< a near miss has ended
 constexpr double kSameTouchS = 1.0;  ///< touching again so soon is the same collision
@@ -31,11 +35,21 @@ Judge::Judge(const World& world, const FloorPlan& plan, const RobotDescription& 
 void Judge::look(double now_s, const Physics& physics, const People& people,
                  const PictureSource* light) {
   note_path(now_s, physics, people);
-  const std::vector<Touch> touches = physics.touches();
+  std::vector<Touch> touches = physics.touches();
+  // In 20 ms nothing comes 3 cm nearer.
+  const bool measured = looks_++ % 2 == 0 || clearance_m_ < kWatchedM;
+  Nearest nearest;
+  if (measured) nearest = nearest_thing(people);
+  if (touches.empty() && nearest.clearance_m < kTouchingM) {
+    touches.push_back({nearest.name, nearest.moving});
+  }
   note_touches(now_s, touches, light);
   forward_m_s_ = physics.forward_m_s();
-  // In 20 ms nothing comes 2 cm nearer; touching is felt at every step.
-  if (looks_++ % 2 == 0 || !touches.empty()) note_clearance(now_s, people, !touches.empty());
+  if (!touches.empty()) {
+    note_touching();
+  } else if (measured) {
+    note_clearance(now_s, nearest);
+  }
   reached_goal_ = reached_goal_ || in_corridor().x_m > goal_beyond_m_;
   decide(now_s);
 }
@@ -101,13 +115,14 @@ Judge::Nearest Judge::nearest_thing(const People& people) const {
   return nearest;
 }
 
-void Judge::note_clearance(double now_s, const People& people, bool touching) {
-  const Nearest nearest = nearest_thing(people);
-  clearance_m_ = touching ? 0.0 : nearest.clearance_m;
-  if (touching) {  // this approach has become a collision
-    near_ = false;
-    return;
-  }
+/// This approach has become a collision.
+void Judge::note_touching() {
+  clearance_m_ = 0.0;
+  near_ = false;
+}
+
+void Judge::note_clearance(double now_s, const Nearest& nearest) {
+  clearance_m_ = nearest.clearance_m;
   nearest_pass_m_ = std::min(nearest_pass_m_, nearest.clearance_m);
   if (nearest.clearance_m < kNearM && (!near_ || nearest.clearance_m < nearing_.clearance_m)) {
     const Pose2 at = in_corridor();

@@ -77,7 +77,8 @@ class Judge {
   };
   void note_path(double now_s, const Physics& physics, const People& people);
   void note_touches(double now_s, const std::vector<Touch>& touches, const PictureSource* light);
-  void note_clearance(double now_s, const People& people, bool touching);
+  void note_touching();
+  void note_clearance(double now_s, const Nearest& nearest);
   [[nodiscard]] Nearest nearest_thing(const People& people) const;
   void decide(double now_s);
 

@@ -65,6 +65,17 @@ TEST(Judge, AGrazeIsACollisionAndNoNearMiss) {
   EXPECT_TRUE(judge.near_misses().empty());
 }
 
+TEST(Judge, LessThanTwoMillimetresIsATouchByTheExactDistance) {
+  for (const double clearance_m : {0.0005, 0.001, 0.0015}) {
+    SimulatedPioneer robot(world_with_box(clearance_m), 1, exact(), nullptr);
+    EXPECT_EQ(drive_past(robot).outcome(), Outcome::collided) << clearance_m;
+  }
+  SimulatedPioneer robot(world_with_box(0.004), 1, exact(), nullptr);
+  const Judge& judge = drive_past(robot);
+  EXPECT_EQ(judge.outcome(), Outcome::reached_goal);
+  EXPECT_NEAR(judge.nearest_pass_m(), 0.004, 0.001);
+}
+
 TEST(Judge, KeepsThePathForDrawing) {
   SimulatedPioneer robot(straight_world(10.0), 1, exact(), nullptr);
   const Judge& judge = drive_past(robot);
