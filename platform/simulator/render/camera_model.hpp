@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "platform/simulator/render/camera_settings.hpp"
+#include "platform/simulator/render/demosaic.hpp"
 #include "platform/simulator/render/noise.hpp"
 #include "platform/simulator/render/vec.hpp"
 #include "platform/simulator/render/view.hpp"
@@ -53,11 +54,6 @@ class Sensor {
   void smear_rows(std::vector<V4>& light, float length_px) const;
   void smear_columns(std::vector<V4>& light, float length_px) const;
   void read_out(const std::vector<V4>& light, const Exposure& exposure, std::uint64_t frame);
-  [[nodiscard]] cv::Mat3b demosaic() const;
-  [[nodiscard]] std::uint8_t tone(float level) const {
-    const float index = std::min(std::max(level, 0.0F), 1.0F) * 4095.0F + 0.5F;
-    return tone_[static_cast<std::size_t>(index)];
-  }
 
   const CameraSettings& settings_;
   int width_ = 0;
@@ -67,7 +63,7 @@ class Sensor {
   std::vector<V4> lens_;
   std::vector<float> sensitivity_;  ///< per pixel: vignetting, unevenness, this eye's gain
   std::vector<float> raw_;          ///< grey levels of full scale, two pixels of margin all round
-  std::vector<std::uint8_t> tone_;
+  Demosaic demosaic_;
 };
 
 }  // namespace striate::simulator::render

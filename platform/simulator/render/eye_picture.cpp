@@ -129,25 +129,34 @@ void EyePicture::flush_mirror(const View& view) {
   pending_count_ = 0;
 }
 
+/// Marks pixels here + i and there + i, i < count, where a visible step lies between them.
+void EyePicture::mark_steps(std::size_t here, std::size_t there, int count) {
+  const float* __restrict brightness = brightness_.data();
+  const int* __restrict group = group_.data();
+  int* __restrict step = step_.data();
+  for (int i = 0; i < count; ++i) {
+    const float a = brightness[here + at(i)];
+    const float b = brightness[there + at(i)];
+    const float needed = group[here + at(i)] == group[there + at(i)] ? 0.6F : 0.2F;
+    step[i] = std::abs(a - b) > needed * std::max(a, b) ? 1 : 0;
+  }
+  int* edge = is_edge_.data();
+  for (int i = 0; i < count; ++i) edge[here + at(i)] |= step[i];
+  for (int i = 0; i < count; ++i) edge[there + at(i)] |= step[i];
+}
+
 /// Pixels beside a visible step of brightness, on both sides of it.
 std::vector<int> EyePicture::edges(const View& view) {
   const int w = view.width_px;
   const std::size_t pixels = light_.size();
   brightness_.resize(pixels);
   is_edge_.assign(pixels, 0);
+  step_.resize(at(w));
   for (std::size_t i = 0; i < pixels; ++i) brightness_[i] = luminance(light_[i]);
-  const auto compare = [&](std::size_t here, std::size_t there) {
-    const float a = brightness_[here];
-    const float b = brightness_[there];
-    const float needed = group_[here] == group_[there] ? 0.6F : 0.2F;
-    if (std::abs(a - b) > needed * std::max(a, b)) is_edge_[here] = is_edge_[there] = 1;
-  };
   for (int y = 0; y < view.height_px; ++y) {
-    for (int x = 0; x < w; ++x) {
-      const std::size_t here = at(y * w + x);
-      if (x + 1 < w) compare(here, here + 1);
-      if (y + 1 < view.height_px) compare(here, here + at(w));
-    }
+    const std::size_t row = at(y * w);
+    mark_steps(row, row + 1, w - 1);
+    if (y + 1 < view.height_px) mark_steps(row, row + at(w), w);
   }
   // Tile by tile, so that rays that are traced together go nearly the same way.
   constexpr int kTile_px = 8;

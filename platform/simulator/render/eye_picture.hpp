@@ -26,6 +26,7 @@ class EyePicture {
   [[nodiscard]] bool people_in(int left, int top, int right, int bottom) const;
   void trace_all(const View& view);
   void trace_tile(const View& view, int left, int top);
+  void mark_steps(std::size_t here, std::size_t there, int count);
   [[nodiscard]] std::vector<int> edges(const View& view);
   void resample(const View& view, const std::vector<int>& pixels, std::size_t first);
   void want_mirror(const Packet& packet, unsigned lane, Vec3 normal, int cell);
@@ -40,8 +41,9 @@ class EyePicture {
   std::vector<V4> light_;
   std::vector<int> group_;
   std::vector<float> brightness_;
-  std::vector<std::uint8_t> is_edge_;
-  std::vector<V4> mirror_;  ///< half resolution; lane 3: 1 where there is one
+  std::vector<int> is_edge_;  ///< 0 or 1
+  std::vector<int> step_;     ///< of one row
+  std::vector<V4> mirror_;    ///< half resolution; lane 3: 1 where there is one
   std::vector<V4> scratch_;
   int mirror_width_ = 0;
   int mirror_height_ = 0;

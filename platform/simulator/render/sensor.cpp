@@ -3,7 +3,7 @@
 namespace striate::simulator::render {
 namespace {
 
-constexpr int kMargin = 2;
+constexpr int kMargin = Demosaic::kMargin;
 /// Quantum efficiency behind the blue, green and red filter, relative to green.
 constexpr std::array<float, 3> kFilter{0.62F, 1.0F, 0.72F};
 /// Red and green on even rows, green and blue on odd ones: colour at (x, y).
@@ -12,34 +12,40 @@ constexpr int colour_at(int x, int y) {
   return x % 2 == 0 ? 1 : 0;
 }
 
-std::vector<std::uint8_t> tone_curve() {
-  std::vector<std::uint8_t> curve(4096);
-  for (std::size_t i = 0; i < curve.size(); ++i) {
-    const double x = static_cast<double>(i) / 4095.0;
-    const double y = x < 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1.0 / 2.4) - 0.055;
-    curve[i] = static_cast<std::uint8_t>(255.0 * y + 0.5);
-  }
-  return curve;
-}
-
-/// Moving average of a fractional length over `count` values, `step` apart.
-void average(V4* first, std::ptrdiff_t step, int count, float length_px, std::vector<V4>& line) {
-  line.resize(static_cast<std::size_t>(count));
-  for (int i = 0; i < count; ++i) line[static_cast<std::size_t>(i)] = first[i * step];
-  const int reach = static_cast<int>(std::ceil(length_px / 2.0F));
-  for (int i = 0; i < count; ++i) {
-    V4 sum{};
-    float weights = 0.0F;
-    for (int k = -reach; k <= reach; ++k) {
+/// Moving average of a fractional length along lines of values, `step` apart.
+class MovingAverage {
+ public:
+  explicit MovingAverage(float length_px) : reach_(static_cast<int>(std::ceil(length_px / 2.0F))) {
+    float total = 0.0F;
+    for (int k = -reach_; k <= reach_; ++k) {
       const float weight =
           std::min(1.0F, length_px / 2.0F + 0.5F - std::abs(static_cast<float>(k)));
-      if (weight <= 0.0F) continue;
-      sum += line[static_cast<std::size_t>(std::clamp(i + k, 0, count - 1))] * splat(weight);
-      weights += weight;
+      weights_.push_back(std::max(0.0F, weight));
+      total += weights_.back();
     }
-    first[i * step] = sum * splat(1.0F / weights);
+    share_ = 1.0F / total;
   }
-}
+
+  void smear(V4* first, std::ptrdiff_t step, int count) {
+    line_.resize(static_cast<std::size_t>(count + 2 * reach_));
+    for (int i = 0; i < count + 2 * reach_; ++i) {
+      line_[static_cast<std::size_t>(i)] = first[std::clamp(i - reach_, 0, count - 1) * step];
+    }
+    for (int i = 0; i < count; ++i) {
+      V4 sum{};
+      for (std::size_t k = 0; k < weights_.size(); ++k) {
+        sum += line_[static_cast<std::size_t>(i) + k] * splat(weights_[k]);
+      }
+      first[i * step] = sum * splat(share_);
+    }
+  }
+
+ private:
+  int reach_;
+  float share_ = 1.0F;
+  std::vector<float> weights_;
+  std::vector<V4> line_;
+};
 
 }  // namespace
 
@@ -48,7 +54,7 @@ Sensor::Sensor(const CameraSettings& settings, Eye eye, std::uint64_t seed)
       width_(settings.width_px),
       height_(settings.height_px()),
       seed_(seed * 2 + (eye == Eye::left ? 0 : 1)),
-      tone_(tone_curve()) {
+      demosaic_(width_, height_) {
   const std::uint32_t pixels = key_of(seed_, 0xA11CE);
   const float half_diagonal =
       std::hypot(static_cast<float>(width_), static_cast<float>(height_)) / 2.0F;
@@ -67,7 +73,9 @@ Sensor::Sensor(const CameraSettings& settings, Eye eye, std::uint64_t seed)
                              (1.0F + uneven) * (1.0F + static_cast<float>(mismatch)));
     }
   }
-  raw_.assign(static_cast<std::size_t>((width_ + 2 * kMargin) * (height_ + 2 * kMargin)), 0.0F);
+  raw_.assign(
+      static_cast<std::size_t>((width_ + 2 * kMargin) * (height_ + 2 * kMargin) + Demosaic::kSlack),
+      0.0F);
 }
 
 cv::Mat3b Sensor::expose(std::vector<V4> light, const Exposure& exposure, const Smear& smear,
@@ -76,7 +84,7 @@ cv::Mat3b Sensor::expose(std::vector<V4> light, const Exposure& exposure, const 
   if (smear.u_px > 0.3F) smear_rows(light, smear.u_px + 1.0F);
   if (smear.v_px > 0.3F) smear_columns(light, smear.v_px + 1.0F);
   read_out(light, exposure, frame);
-  return demosaic();
+  return demosaic_.picture(raw_);
 }
 
 /// A lens is not sharper than the pixels: a cross-shaped point spread, which also keeps colours
@@ -95,13 +103,13 @@ void Sensor::blur_by_lens(std::vector<V4>& light) {
 }
 
 void Sensor::smear_rows(std::vector<V4>& light, float length_px) const {
-  std::vector<V4> line;
-  for (int y = 0; y < height_; ++y) average(light.data() + y * width_, 1, width_, length_px, line);
+  MovingAverage average(length_px);
+  for (int y = 0; y < height_; ++y) average.smear(light.data() + y * width_, 1, width_);
 }
 
 void Sensor::smear_columns(std::vector<V4>& light, float length_px) const {
-  std::vector<V4> line;
-  for (int x = 0; x < width_; ++x) average(light.data() + x, width_, height_, length_px, line);
+  MovingAverage average(length_px);
+  for (int x = 0; x < width_; ++x) average.smear(light.data() + x, width_, height_);
 }
 
 void Sensor::read_out(const std::vector<V4>& light, const Exposure& exposure, std::uint64_t frame) {
@@ -138,49 +146,6 @@ void Sensor::read_out(const std::vector<V4>& light, const Exposure& exposure, st
     std::copy_n(row(k), stride, row(-k));
     std::copy_n(row(height_ - 1 - k), stride, row(height_ - 1 + k));
   }
-}
-
-/// Malvar, He and Cutler 2004, "High-quality linear interpolation for demosaicing of
-/// Bayer-patterned color images": bilinear plus the gradient of the colour that is known. Held
-/// between the neighbours of its own colour, as cameras do: else every lamp has a fringe.
-cv::Mat3b Sensor::demosaic() const {
-  cv::Mat3b picture(height_, width_);
-  const int s = width_ + 2 * kMargin;
-  const auto held = [](float value, float a, float b) {
-    return std::min(std::max(value, std::min(a, b)), std::max(a, b));
-  };
-  for (int y = 0; y < height_; ++y) {
-    const float* p = raw_.data() + (y + kMargin) * s + kMargin;
-    std::uint8_t* out = picture.ptr(y);
-    for (int x = 0; x < width_; ++x, ++p, out += 3) {
-      const float here = p[0];
-      const float diagonal = p[-s - 1] + p[-s + 1] + p[s - 1] + p[s + 1];
-      const float wide = p[-2] + p[2];
-      const float tall = p[-2 * s] + p[2 * s];
-      const int c = colour_at(x, y);
-      if (c == 1) {
-        const float beside =
-            (5.0F * here + 4.0F * (p[-1] + p[1]) - diagonal - wide + 0.5F * tall) * 0.125F;
-        const float above =
-            (5.0F * here + 4.0F * (p[-s] + p[s]) - diagonal - tall + 0.5F * wide) * 0.125F;
-        const bool red_row = y % 2 == 0;
-        out[red_row ? 2 : 0] = tone(held(beside, p[-1], p[1]));
-        out[1] = tone(here);
-        out[red_row ? 0 : 2] = tone(held(above, p[-s], p[s]));
-      } else {
-        const float cross = p[-1] + p[1] + p[-s] + p[s];
-        const float green = (4.0F * here + 2.0F * cross - wide - tall) * 0.125F;
-        const float other = (6.0F * here + 2.0F * diagonal - 1.5F * (wide + tall)) * 0.125F;
-        out[c] = tone(here);
-        out[1] = tone(held(green, std::min(std::min(p[-1], p[1]), std::min(p[-s], p[s])),
-                           std::max(std::max(p[-1], p[1]), std::max(p[-s], p[s]))));
-        out[2 - c] =
-            tone(held(other, std::min(std::min(p[-s - 1], p[s + 1]), std::min(p[-s + 1], p[s - 1])),
-                      std::max(std::max(p[-s - 1], p[s + 1]), std::max(p[-s + 1], p[s - 1]))));
-      }
-    }
-  }
-  return picture;
 }
 
 }  // namespace striate::simulator::render

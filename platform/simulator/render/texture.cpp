@@ -33,13 +33,7 @@ Texture::Texture(const cv::Mat3b& picture)
   sized.convertTo(linear, CV_32F, 1.0 / 255.0);
   linear = linear.mul(linear);
   while (true) {
-    levels_.push_back({static_cast<std::uint32_t>(texels_.size()), linear.cols - 1, linear.rows - 1,
-                       std::countr_zero(static_cast<unsigned>(linear.cols)),
-                       256.0F * static_cast<float>(linear.cols),
-                       256.0F * static_cast<float>(linear.rows)});
-    for (int y = 0; y < linear.rows; ++y) {
-      for (int x = 0; x < linear.cols; ++x) texels_.push_back(packed(linear(y, x)));
-    }
+    keep_level(linear);
     if (linear.cols == 1 && linear.rows == 1) break;
     cv::Mat3f half;
     cv::resize(linear, half, {std::max(1, linear.cols / 2), std::max(1, linear.rows / 2)}, 0, 0,
@@ -48,6 +42,28 @@ Texture::Texture(const cv::Mat3b& picture)
   }
   top_level_ = static_cast<float>(levels_.size() - 1);
   mean_ = bgr(linear(0, 0)[0], linear(0, 0)[1], linear(0, 0)[2]);
+}
+
+void Texture::keep_level(const cv::Mat3f& linear) {
+  constexpr int kTile = 4;
+  const int tiles_across = (linear.cols + kTile - 1) / kTile;
+  const int tiles_down = (linear.rows + kTile - 1) / kTile;
+  const int row_of_tiles = tiles_across * kTile * kTile;
+  const std::size_t first = texels_.size();
+  const Level level{static_cast<std::uint32_t>(first),
+                    linear.cols - 1,
+                    linear.rows - 1,
+                    std::countr_zero(static_cast<unsigned>(row_of_tiles)),
+                    256.0F * static_cast<float>(linear.cols),
+                    256.0F * static_cast<float>(linear.rows)};
+  levels_.push_back(level);
+  texels_.resize(first + static_cast<std::size_t>(row_of_tiles * tiles_down));
+  for (int y = 0; y < linear.rows; ++y) {
+    for (int x = 0; x < linear.cols; ++x) {
+      texels_[first + static_cast<std::size_t>(across(x) + down(y, level.shift))] =
+          packed(linear(y, x));
+    }
+  }
 }
 
 }  // namespace striate::simulator::render

@@ -23,12 +23,13 @@ class Texture {
   [[nodiscard]] int height() const { return height_; }
   [[nodiscard]] V4 mean() const { return mean_; }  ///< linear albedo
 
-  /// One mip level.
+  /// One mip level. Its texels lie in tiles of 4x4, a cache line each: neighbours up and down are
+  /// near as well.
   struct Level {
     std::uint32_t offset = 0;
     std::int32_t mask_u = 0;  ///< width - 1
     std::int32_t mask_v = 0;
-    int shift = 0;         ///< log2 of the width
+    int shift = 0;         ///< log2 of the texels in a row of tiles
     float scale_u = 0.0F;  ///< 256 times the width
     float scale_v = 0.0F;
   };
@@ -41,6 +42,11 @@ class Texture {
   [[nodiscard]] V4 sample(const Level& level, float s, float t) const;
 
  private:
+  /// Where a texel lies: across(x) + down(y).
+  static int across(int x) { return ((x >> 2) << 4) | (x & 3); }
+  static int down(int y, int shift) { return ((y >> 2) << shift) | ((y & 3) << 2); }
+  void keep_level(const cv::Mat3f& linear);
+
   int width_ = 0;
   int height_ = 0;
   V4 mean_{};
@@ -73,11 +79,13 @@ inline V4 Texture::sample(const Level& level, float s, float t) const {
   const float v = static_cast<float>(y & 255) * (1.0F / 256.0F);
   const int xa = (x >> 8) & level.mask_u;
   const int xb = ((x >> 8) + 1) & level.mask_u;
+  const int ya = (y >> 8) & level.mask_v;
+  const int yb = ((y >> 8) + 1) & level.mask_v;
   const std::uint32_t* data = texels_.data() + level.offset;
-  const std::uint32_t* top = data + (((y >> 8) & level.mask_v) << level.shift);
-  const std::uint32_t* low = data + ((((y >> 8) + 1) & level.mask_v) << level.shift);
-  const V4 a = lerp(unpacked(top[xa]), unpacked(top[xb]), u);
-  const V4 b = lerp(unpacked(low[xa]), unpacked(low[xb]), u);
+  const std::uint32_t* top = data + down(ya, level.shift);
+  const std::uint32_t* low = data + down(yb, level.shift);
+  const V4 a = lerp(unpacked(top[across(xa)]), unpacked(top[across(xb)]), u);
+  const V4 b = lerp(unpacked(low[across(xa)]), unpacked(low[across(xb)]), u);
   const V4 value = lerp(a, b, v);
   return value * value * splat(1.0F / (255.0F * 255.0F));
 }
