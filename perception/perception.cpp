@@ -32,13 +32,22 @@ Perception::Perception(const PerceptionSettings& settings, const RobotDescriptio
       matcher_(settings.stereo),
       keypoint_finder_(settings.keypoints) {}
 
+void Perception::match(const StereoFrame& frame, const cv::Mat1b& left, DisparityMap& disparity) {
+  const int width = settings_.stereo.width;
+  if (settings_.stereo.wants_fine_greys()) {
+    matcher_.match(to_fine_working_size(frame.left, width),
+                   to_fine_working_size(frame.right, width), disparity);
+  } else {
+    matcher_.match(left, to_working_size(frame.right, width), disparity);
+  }
+}
+
 void Perception::measure_depth(const StereoFrame& frame, const cv::Mat1b& left, Percept& percept) {
   if (frame.right.empty()) return;
   if (frame.right.size() != frame.left.size()) {
     throw std::invalid_argument("left and right picture differ in size");
   }
-  const cv::Mat1b right = to_working_size(frame.right, settings_.stereo.width);
-  matcher_.match(left, right, percept.disparity);
+  match(frame, left, percept.disparity);
   if (frame.focal_px <= 0.0 || frame.baseline_m <= 0.0) return;
   const auto find = settings_.stereo.setting == StereoSetting::paper ? find_obstacles_as_in_paper
                                                                      : find_obstacles;

@@ -50,6 +50,7 @@ class Perception {
   [[nodiscard]] Percept see(const StereoFrame& frame);
 
  private:
+  void match(const StereoFrame& frame, const cv::Mat1b& left, DisparityMap& disparity);
   void measure_depth(const StereoFrame& frame, const cv::Mat1b& left, Percept& percept);
 
   PerceptionSettings settings_;

@@ -43,7 +43,7 @@ class StereoMatcher::Work {
         semi_global_(settings.robust.small_step_penalty, settings.robust.large_step_penalty),
         decision_(settings.robust) {}
 
-  void match(const cv::Mat1b& left, const cv::Mat1b& right, DisparityMap& out) {
+  void match(const cv::Mat& left, const cv::Mat& right, DisparityMap& out) {
     const int reach = robust_ ? 0 : descriptor_reach(settings_.paper_v1.wavelength_px, 1.0);
     cells_.respond(left, reach, robust_, left_);
     cells_.respond(right, reach, robust_, right_);
@@ -129,13 +129,13 @@ const StereoSettings& StereoMatcher::settings() const {
   return work_->settings();
 }
 
-DisparityMap StereoMatcher::match(const cv::Mat1b& left, const cv::Mat1b& right) {
+DisparityMap StereoMatcher::match(const cv::Mat& left, const cv::Mat& right) {
   DisparityMap out;
   match(left, right, out);
   return out;
 }
 
-void StereoMatcher::match(const cv::Mat1b& left, const cv::Mat1b& right, DisparityMap& out) {
+void StereoMatcher::match(const cv::Mat& left, const cv::Mat& right, DisparityMap& out) {
   if (left.empty()) throw std::invalid_argument("StereoMatcher: the left picture is empty");
   if (left.size() != right.size()) {
     throw std::invalid_argument("StereoMatcher: the pictures differ in size: left " +

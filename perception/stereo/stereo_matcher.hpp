@@ -13,6 +13,10 @@ namespace striate {
 /// @param picture 8 bit, BGR or grey; else std::invalid_argument.
 [[nodiscard]] cv::Mat1b to_working_size(const cv::Mat& picture, int width);
 
+/// The same in sixteenths of a grey level, 0..4080: the mean of many pixels is not rounded to 8
+/// bits.
+[[nodiscard]] cv::Mat1w to_fine_working_size(const cv::Mat& picture, int width);
+
 /// Dense disparity from V1 descriptors.
 ///
 /// paper (the paper's section on stereo): descriptors at every pixel, lambda = 4, each left pixel
@@ -36,14 +40,14 @@ class StereoMatcher {
   StereoMatcher(StereoMatcher&&) noexcept;
   StereoMatcher& operator=(StereoMatcher&&) noexcept;
 
-  /// @param left, right rectified, at the working size (see to_working_size), same size; else
-  /// std::invalid_argument.
+  /// @param left, right rectified, at the working size, same size; of to_working_size or both of
+  /// to_fine_working_size; else std::invalid_argument.
   /// @return disparity in pixels of that size in the left picture's frame; the camera fields
   /// (focal_px ...) are left for the caller, who knows the camera.
-  [[nodiscard]] DisparityMap match(const cv::Mat1b& left, const cv::Mat1b& right);
+  [[nodiscard]] DisparityMap match(const cv::Mat& left, const cv::Mat& right);
 
   /// The same into `out`, whose matrices are used again where they fit.
-  void match(const cv::Mat1b& left, const cv::Mat1b& right, DisparityMap& out);
+  void match(const cv::Mat& left, const cv::Mat& right, DisparityMap& out);
 
   [[nodiscard]] const StereoSettings& settings() const;
 

@@ -20,6 +20,7 @@ struct RobustStereoSettings {
   int left_right_px = 1;          ///< tolerance of the left-right check
   double least_confidence = 0.3;  ///< less certain disparities are unknown
   int speckle_px = 40;            ///< connected pieces smaller than this are dropped
+  bool fine_greys = false;        ///< see StereoSettings::wants_fine_greys
 };
 
 /// Settings of StereoMatcher.
@@ -30,6 +31,12 @@ struct StereoSettings {
   V1Settings paper_v1;  ///< of the paper setting: lambda = 4 px
   RobustStereoSettings robust;
 
+  /// Working pictures in sixteenths of a grey level (to_fine_working_size): averaging many pixels
+  /// leaves more than 8 bits hold, and on blank surfaces it is all there is. Always so in the
+  /// paper setting, whose pictures are numbers, not bytes.
+  [[nodiscard]] bool wants_fine_greys() const {
+    return setting == StereoSetting::paper || robust.fine_greys;
+  }
   /// Disparities 0 .. n - 1 are searched; at most 256.
   [[nodiscard]] int searched() const {
     if (candidates > 0) return candidates;
@@ -48,6 +55,7 @@ void visit(V& v, RobustStereoSettings& s) {
   v.number("least_confidence", s.least_confidence, Unit::fraction, {0.0, 1.0},
            "less certain disparities are unknown");
   v.integer("speckle", s.speckle_px, {0, 2000}, "smaller connected pieces are dropped, pixels");
+  v.flag("fine_greys", s.fine_greys, "keep sixteenths of a grey level of the working pictures");
 }
 
 template <class V>

@@ -6,23 +6,41 @@
 #include "perception/stereo/stereo_matcher.hpp"
 
 namespace striate {
+namespace {
 
-cv::Mat1b to_working_size(const cv::Mat& picture, int width) {
+cv::Mat1b grey_of(const cv::Mat& picture, int width) {
   if (picture.empty() || (picture.type() != CV_8UC3 && picture.type() != CV_8UC1)) {
     throw std::invalid_argument("to_working_size: wants an 8-bit BGR or grey picture");
   }
   if (width < 1) throw std::invalid_argument("to_working_size: the width must be at least 1");
+  if (picture.channels() == 1) return picture;
   cv::Mat1b grey;
-  if (picture.channels() == 3) {
-    cv::cvtColor(picture, grey, cv::COLOR_BGR2GRAY);
-  } else {
-    grey = picture;
-  }
-  const double scale = static_cast<double>(width) / grey.cols;
-  const int height = std::max(1, static_cast<int>(std::lround(grey.rows * scale)));
+  cv::cvtColor(picture, grey, cv::COLOR_BGR2GRAY);
+  return grey;
+}
+
+void resize_to(const cv::Mat& from, int width, cv::Mat& to) {
+  const double scale = static_cast<double>(width) / from.cols;
+  const int height = std::max(1, static_cast<int>(std::lround(from.rows * scale)));
+  cv::resize(from, to, {width, height}, 0, 0, scale < 1.0 ? cv::INTER_AREA : cv::INTER_LINEAR);
+}
+
+}  // namespace
+
+cv::Mat1b to_working_size(const cv::Mat& picture, int width) {
+  const cv::Mat1b grey = grey_of(picture, width);
   if (grey.cols == width) return grey.clone();
   cv::Mat1b result;
-  cv::resize(grey, result, {width, height}, 0, 0, scale < 1.0 ? cv::INTER_AREA : cv::INTER_LINEAR);
+  resize_to(grey, width, result);
+  return result;
+}
+
+cv::Mat1w to_fine_working_size(const cv::Mat& picture, int width) {
+  cv::Mat1w fine;
+  grey_of(picture, width).convertTo(fine, CV_16U, 16.0);
+  if (fine.cols == width) return fine;
+  cv::Mat1w result;
+  resize_to(fine, width, result);
   return result;
 }
 

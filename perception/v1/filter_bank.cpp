@@ -109,6 +109,9 @@ double l1_norm(const RealPair& pair, bool even_kernel) {
   return kernel.cwiseAbs().sum();
 }
 
+/// What the row pass divides by, seen from whole grey levels.
+constexpr int kRowScaleBits = FilterBank::kRowShift - FilterBank::kGreyShift;
+
 /// Row taps use the whole 16 bits of the row's result for inputs -128..127.
 double row_scale(const RealProduct& p) {
   constexpr double kLargestSum = 65000.0;
@@ -118,8 +121,7 @@ double row_scale(const RealProduct& p) {
 
 /// How much a column tap must hold for gain 1.
 double column_scale(const RealProduct& p) {
-  return static_cast<double>(1 << (FilterBank::kRowShift + FilterBank::kColumnShift)) /
-         row_scale(p);
+  return static_cast<double>(1 << (kRowScaleBits + FilterBank::kColumnShift)) / row_scale(p);
 }
 
 double common_gain(const std::vector<RealPair>& pairs) {
@@ -160,7 +162,7 @@ FilterBank::Pair quantise(const RealPair& real, double gain, const V1Settings& s
                                 quantise(p.even, gain * column_scale(p)),
                                 quantise(p.odd, gain * column_scale(p)), p.slot};
     // Only slot 0 has a sum: in slot 1 one of the two filters is antisymmetric.
-    sum_reached += sum(product.row) * sum(product.column_even) / (1 << FilterBank::kRowShift);
+    sum_reached += sum(product.row) * sum(product.column_even) / (1 << kRowScaleBits);
     pair.products.push_back(std::move(product));
   }
   if (s.even_mean == EvenMean::envelope) return pair;

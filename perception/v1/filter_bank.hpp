@@ -16,13 +16,15 @@ namespace striate {
 ///
 /// Everything is integer arithmetic, exact but for one rounding per pass, so that every
 /// instruction set gives the same bits:
-///   x = grey - 128;  row = (sum taps x + 2^(kRowShift-1)) >> kRowShift            (16 bit)
+///   x = 16 (grey - 128);  row = (sum taps x + 2^(kRowShift-1)) >> kRowShift            (16 bit)
 ///   slot = sum over products, sum taps row                                        (32 bit)
-///   response = (slot0 +- slot1 + offset - box_factor * box_sum + 2^15) >> kColumnShift  (16 bit)
+///   box = (sum of x over the support + 8) >> kGreyShift
+///   response = (slot0 +- slot1 + offset - box_factor * box + 2^15) >> kColumnShift        (16 bit)
 /// The response is `gain` times the exact one (grey 0..255, kernel as in V1Settings).
 struct FilterBank {
   static constexpr int kRank = 3;
-  static constexpr int kRowShift = 8;
+  static constexpr int kGreyShift = 4;  ///< greys come in sixteenths
+  static constexpr int kRowShift = 8 + kGreyShift;
   static constexpr int kColumnShift = 16;
 
   /// One row filter and the two column filters on its output.

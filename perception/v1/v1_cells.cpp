@@ -22,6 +22,13 @@ std::vector<std::int32_t> pack(const std::vector<std::int16_t>& taps, bool late)
   return result;
 }
 
+/// Of all greys in sixteenths; with 128 taken away they fit what the filters take.
+constexpr int kBrightest = (256 << FilterBank::kGreyShift) - 1;
+
+std::int16_t centred(int grey) {
+  return static_cast<std::int16_t>(grey - (128 << FilterBank::kGreyShift));
+}
+
 int mirror(int at, int size) {
   return cv::borderInterpolate(at, size, cv::BORDER_REFLECT_101);
 }
@@ -66,51 +73,54 @@ V1Cells::V1Cells(const V1Settings& settings)
   row_sums_.resize(most_products);
 }
 
-void V1Cells::take_picture(const cv::Mat1b& grey) {
+void V1Cells::take_picture(const cv::Mat& grey) {
   const int radius = bank_.radius;
-  mirrored_row_.resize(grey.cols, 1, std::max(radius, bank_.box_radius) + 1, 0);
+  const int reach = std::max(radius, bank_.box_radius) + 1;
+  greys_.resize(grey.cols, grey.rows, reach, 0);
   pixel_pairs_.resize(grey.cols, grey.rows, radius + 1, 0);
-  std::uint8_t* row = mirrored_row_.row(0);
   for (int y = 0; y < grey.rows; ++y) {
-    const std::uint8_t* from = grey.ptr(y);
-    std::copy(from, from + grey.cols, row);
-    for (int x = 1; x <= radius + 1; ++x) {
-      row[-x] = from[mirror(-x, grey.cols)];
-      row[grey.cols - 1 + x] = from[mirror(grey.cols - 1 + x, grey.cols)];
+    std::int16_t* row = greys_.row(y);
+    if (grey.depth() == CV_8U) {
+      const std::uint8_t* from = grey.ptr<std::uint8_t>(y);
+      for (int x = 0; x < grey.cols; ++x) row[x] = centred(from[x] << FilterBank::kGreyShift);
+    } else {
+      const std::uint16_t* from = grey.ptr<std::uint16_t>(y);
+      for (int x = 0; x < grey.cols; ++x) row[x] = centred(std::min<int>(from[x], kBrightest));
+    }
+    for (int x = 1; x <= reach; ++x) {
+      row[-x] = row[mirror(-x, grey.cols)];
+      row[grey.cols - 1 + x] = row[mirror(grey.cols - 1 + x, grey.cols)];
     }
     v1_kernels::pair_up(row, radius, grey.cols, pixel_pairs_.row(y));
   }
 }
 
-/// Sums of grey - 128 over the kernel's support, by moving windows along rows, then columns.
-void V1Cells::sum_boxes(const cv::Mat1b& grey) {
+/// Sums of the greys over the kernel's support, by moving windows along rows, then columns.
+void V1Cells::sum_boxes() {
   const int radius = bank_.box_radius;
-  box_rows_.resize(grey.cols, grey.rows, 0, 0);
-  box_.resize(grey.cols, grey.rows, 0, 0);
-  for (int y = 0; y < grey.rows; ++y) {
-    const std::uint8_t* from = grey.ptr(y);
-    std::uint8_t* row = mirrored_row_.row(0);
-    for (int x = -radius - 1; x <= grey.cols + radius; ++x) {
-      row[x] = x >= 0 && x < grey.cols ? from[x] : from[mirror(x, grey.cols)];
-    }
-    std::int32_t sum = -128 * (2 * radius + 1);
-    for (int x = -radius; x <= radius; ++x) sum += row[std::min(x, grey.cols + radius)];
+  const int width = greys_.width(), height = greys_.height();
+  box_rows_.resize(width, height, 0, 0);
+  box_.resize(width, height, 0, 0);
+  for (int y = 0; y < height; ++y) {
+    const std::int16_t* row = greys_.row(y);
+    std::int32_t sum = 0;
+    for (int x = -radius; x <= radius; ++x) sum += row[x];
     std::int32_t* to = box_rows_.row(y);
-    for (int x = 0; x < grey.cols; ++x) {
+    for (int x = 0; x < width; ++x) {
       to[x] = sum;
       sum += row[x + radius + 1] - row[x - radius];
     }
   }
   std::int32_t* first = box_.row(0);
-  std::fill(first, first + grey.cols, 0);
+  std::fill(first, first + width, 0);
   for (int y = -radius; y <= radius; ++y) {
-    const std::int32_t* from = box_rows_.row(mirror(y, grey.rows));
-    for (int x = 0; x < grey.cols; ++x) first[x] += from[x];
+    const std::int32_t* from = box_rows_.row(mirror(y, height));
+    for (int x = 0; x < width; ++x) first[x] += from[x];
   }
-  for (int y = 1; y < grey.rows; ++y) {
-    std::copy(box_.row(y - 1), box_.row(y - 1) + grey.cols, box_.row(y));
-    v1_kernels::slide_box(box_rows_.row(mirror(y + radius, grey.rows)),
-                          box_rows_.row(mirror(y - radius - 1, grey.rows)), grey.cols, box_.row(y));
+  for (int y = 1; y < height; ++y) {
+    std::copy(box_.row(y - 1), box_.row(y - 1) + width, box_.row(y));
+    v1_kernels::slide_box(box_rows_.row(mirror(y + radius, height)),
+                          box_rows_.row(mirror(y - radius - 1, height)), width, box_.row(y));
   }
 }
 
@@ -153,8 +163,11 @@ void V1Cells::respond_pair(std::size_t index, bool simple_cells, V1Responses& ou
   }
 }
 
-void V1Cells::respond(const cv::Mat1b& grey, int margin, bool simple_cells, V1Responses& out) {
+void V1Cells::respond(const cv::Mat& grey, int margin, bool simple_cells, V1Responses& out) {
   if (grey.empty()) throw std::invalid_argument("V1Cells: the picture is empty");
+  if (grey.type() != CV_8UC1 && grey.type() != CV_16UC1) {
+    throw std::invalid_argument("V1Cells: wants grey of 8 bits, or of 16 bits in sixteenths");
+  }
   out.width = grey.cols;
   out.height = grey.rows;
   out.wavelength_px = settings_.wavelength_px;
@@ -167,7 +180,7 @@ void V1Cells::respond(const cv::Mat1b& grey, int margin, bool simple_cells, V1Re
     }
   }
   take_picture(grey);
-  if (settings_.even_mean != EvenMean::envelope) sum_boxes(grey);
+  if (settings_.even_mean != EvenMean::envelope) sum_boxes();
   for (std::size_t k = 0; k < bank_.pairs.size(); ++k) respond_pair(k, simple_cells, out);
   for (Plane<std::int16_t>& plane : out.code) continue_beyond_border(plane);
 }

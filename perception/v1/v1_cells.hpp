@@ -41,10 +41,12 @@ class V1Cells {
  public:
   explicit V1Cells(const V1Settings& settings);
 
-  /// @param grey any size from 1x1; empty throws std::invalid_argument.
+  /// @param grey any size from 1x1: 8 bits, or 16 bits that count sixteenths of a grey level (0 to
+  /// 4095; what averaging many pixels leaves behind the point tells on blank surfaces); anything
+  /// else throws std::invalid_argument. Both give the same bits for the same greys.
   /// @param margin pixels that the codes are continued beyond the border.
   /// @param simple_cells also fill `even` and `odd`.
-  void respond(const cv::Mat1b& grey, int margin, bool simple_cells, V1Responses& out);
+  void respond(const cv::Mat& grey, int margin, bool simple_cells, V1Responses& out);
 
   [[nodiscard]] const FilterBank& bank() const { return bank_; }
 
@@ -54,14 +56,14 @@ class V1Cells {
     std::array<std::vector<std::int32_t>, 2> even, odd;  ///< for output rows of even and odd y
     int slot = 0;
   };
-  void take_picture(const cv::Mat1b& grey);
-  void sum_boxes(const cv::Mat1b& grey);
+  void take_picture(const cv::Mat& grey);
+  void sum_boxes();
   void respond_pair(std::size_t index, bool simple_cells, V1Responses& out);
 
   V1Settings settings_;
   FilterBank bank_;
   std::vector<std::vector<PackedProduct>> packed_;  ///< one list per pair of the bank
-  Plane<std::uint8_t> mirrored_row_;
+  Plane<std::int16_t> greys_;        ///< 16 (grey - 128), continued sideways by mirroring
   Plane<std::int32_t> pixel_pairs_;  ///< see v1_kernels::pair_up
   std::vector<Plane<std::int32_t>> row_sums_;
   Plane<std::int32_t> box_rows_;

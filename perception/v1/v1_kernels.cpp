@@ -35,15 +35,14 @@ HWY_INLINE V32 JoinHalves(V32 low, V32 high) {
   return hn::Or(hn::ShiftLeft<16>(high), hn::And(low, hn::Set(D32(), 0xFFFF)));
 }
 
-void PairUp(const std::uint8_t* HWY_RESTRICT grey, int radius, int width,
+void PairUp(const std::int16_t* HWY_RESTRICT grey, int radius, int width,
             std::int32_t* HWY_RESTRICT pairs) {
   const D32 d;
-  const hn::Rebind<std::uint8_t, D32> d8;
-  const V32 centre = hn::Set(d, 128);
+  const hn::Rebind<std::int16_t, D32> d16;
   const int step = static_cast<int>(hn::Lanes(d));
   for (int x = -radius; x <= width + radius; x += step) {
-    const V32 here = hn::Sub(hn::PromoteTo(d, hn::LoadU(d8, grey + x)), centre);
-    const V32 next = hn::Sub(hn::PromoteTo(d, hn::LoadU(d8, grey + x + 1)), centre);
+    const V32 here = hn::PromoteTo(d, hn::LoadU(d16, grey + x));
+    const V32 next = hn::PromoteTo(d, hn::LoadU(d16, grey + x + 1));
     hn::StoreU(JoinHalves(here, next), d, pairs + x);
   }
 }
@@ -119,12 +118,16 @@ void FilterColumns(const ColumnJob& job, int width) {
   const V32 half = hn::Set(d, 1 << (FilterBank::kColumnShift - 1));
   const V32 offset = hn::Set(d, job.offset + (1 << (FilterBank::kColumnShift - 1)));
   const V32 box_factor = hn::Set(d, job.box_factor);
+  const V32 box_half = hn::Set(d, 1 << (FilterBank::kGreyShift - 1));
+  const auto whole_box = [&](int x) {
+    return hn::ShiftRight<FilterBank::kGreyShift>(hn::Add(hn::LoadU(d, job.box + x), box_half));
+  };
   for (int x = 0; x < width; x += 2 * step) {
     // The mean is the same at theta and pi - theta: it belongs to slot 0.
     V32 even0 = offset, even1 = offset, odd0 = half, odd1 = half;
     if (job.box != nullptr) {
-      even0 = hn::Sub(even0, hn::Mul(hn::LoadU(d, job.box + x), box_factor));
-      even1 = hn::Sub(even1, hn::Mul(hn::LoadU(d, job.box + x + step), box_factor));
+      even0 = hn::Sub(even0, hn::Mul(whole_box(x), box_factor));
+      even1 = hn::Sub(even1, hn::Mul(whole_box(x + step), box_factor));
     }
     V32 slot1_even0 = hn::Zero(d), slot1_even1 = hn::Zero(d);
     V32 slot1_odd0 = hn::Zero(d), slot1_odd1 = hn::Zero(d);
@@ -159,7 +162,7 @@ HWY_EXPORT(FilterRows);
 HWY_EXPORT(FilterColumns);
 HWY_EXPORT(SlideBox);
 
-void pair_up(const std::uint8_t* grey, int radius, int width, std::int32_t* pairs) {
+void pair_up(const std::int16_t* grey, int radius, int width, std::int32_t* pairs) {
   HWY_DYNAMIC_DISPATCH(PairUp)(grey, radius, width, pairs);
 }
 

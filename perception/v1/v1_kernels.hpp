@@ -12,9 +12,9 @@
 /// the low half), so that one multiply-add instruction serves two taps.
 namespace striate::v1_kernels {
 
-/// pairs[x] = (grey[x] - 128, grey[x + 1] - 128) for x in [-radius, width + radius]; grey must be
-/// readable from -radius to width + radius + 1.
-void pair_up(const std::uint8_t* grey, int radius, int width, std::int32_t* pairs);
+/// pairs[x] = (grey[x], grey[x + 1]) for x in [-radius, width + radius]; grey must be readable from
+/// -radius to width + radius + 1.
+void pair_up(const std::int16_t* grey, int radius, int width, std::int32_t* pairs);
 
 /// Two picture rows through one row filter: out[x] = (row a, row b), 16 bits each, rounded.
 /// `taps` are radius + 1 pairs.

@@ -15,7 +15,8 @@ namespace striate::reference {
 
 struct StereoPair {
   std::string name;
-  cv::Mat1b left, right;
+  cv::Mat1b left, right;            ///< 8 bits
+  cv::Mat1w fine_left, fine_right;  ///< the same in sixteenths of a grey level
   cv::Mat1f truth_px;  ///< disparity at the working size; NaN: unknown or not seen by the right eye
 };
 
@@ -85,6 +86,13 @@ inline StereoPair make_pair(const std::string& name, const std::filesystem::path
   const cv::Mat1b full_right = cv::imread(right.string(), cv::IMREAD_GRAYSCALE);
   cv::resize(full_left, pair.left, size, 0, 0, cv::INTER_AREA);
   cv::resize(full_right, pair.right, size, 0, 0, cv::INTER_AREA);
+  const auto shrink_fine = [&](const cv::Mat1b& from, cv::Mat1w& to) {
+    cv::Mat1w sixteenths;
+    from.convertTo(sixteenths, CV_16U, 16.0);
+    cv::resize(sixteenths, to, size, 0, 0, cv::INTER_AREA);
+  };
+  shrink_fine(full_left, pair.fine_left);
+  shrink_fine(full_right, pair.fine_right);
   cv::resize(truth, pair.truth_px, size, 0, 0, cv::INTER_NEAREST);
   pair.truth_px *= static_cast<double>(size.width) / truth.cols;
   return pair;

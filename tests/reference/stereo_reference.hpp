@@ -71,7 +71,7 @@ inline cv::Mat1b median5(const cv::Mat1b& from) {
 }
 
 /// The paper's stereo to the letter, in double precision.
-inline cv::Mat1b paper_stereo(const cv::Mat1b& left, const cv::Mat1b& right, int count,
+inline cv::Mat1b paper_stereo(const cv::Mat& left, const cv::Mat& right, int count,
                               const V1Settings& settings = {}) {
   const auto left_bits = describe(respond(left, settings), settings.wavelength_px);
   const auto right_bits = describe(respond(right, settings), settings.wavelength_px);

@@ -17,13 +17,16 @@ struct V1Integers {
 
 namespace detail {
 
-inline int grey_at(const cv::Mat1b& grey, int y, int x) {
-  return grey(cv::borderInterpolate(y, grey.rows, cv::BORDER_REFLECT_101),
-              cv::borderInterpolate(x, grey.cols, cv::BORDER_REFLECT_101)) -
-         128;
+/// 16 (grey - 128); `grey` counts sixteenths if it has 16 bits.
+inline int grey_at(const cv::Mat& grey, int y, int x) {
+  const int v = cv::borderInterpolate(y, grey.rows, cv::BORDER_REFLECT_101);
+  const int u = cv::borderInterpolate(x, grey.cols, cv::BORDER_REFLECT_101);
+  const int value =
+      grey.depth() == CV_8U ? 16 * grey.at<std::uint8_t>(v, u) : grey.at<std::uint16_t>(v, u);
+  return value - 16 * 128;
 }
 
-inline std::int64_t row_result(const cv::Mat1b& grey, const std::vector<std::int16_t>& taps, int y,
+inline std::int64_t row_result(const cv::Mat& grey, const std::vector<std::int16_t>& taps, int y,
                                int x) {
   const int radius = static_cast<int>(taps.size()) / 2;
   std::int64_t sum = 1 << (FilterBank::kRowShift - 1);
@@ -33,12 +36,12 @@ inline std::int64_t row_result(const cv::Mat1b& grey, const std::vector<std::int
   return sum >> FilterBank::kRowShift;
 }
 
-inline std::int64_t box_sum(const cv::Mat1b& grey, int radius, int y, int x) {
+inline std::int64_t box_sum(const cv::Mat& grey, int radius, int y, int x) {
   std::int64_t sum = 0;
   for (int v = -radius; v <= radius; ++v) {
     for (int u = -radius; u <= radius; ++u) sum += grey_at(grey, y + v, x + u);
   }
-  return sum;
+  return (sum + 8) >> 4;
 }
 
 inline std::int16_t energy_code(std::int64_t even, std::int64_t odd) {
@@ -49,7 +52,7 @@ inline std::int16_t energy_code(std::int64_t even, std::int64_t odd) {
 
 }  // namespace detail
 
-inline V1Integers integer_responses(const cv::Mat1b& grey, const FilterBank& bank) {
+inline V1Integers integer_responses(const cv::Mat& grey, const FilterBank& bank) {
   V1Integers result;
   for (auto* group : {&result.even, &result.odd, &result.code}) {
     for (cv::Mat1s& plane : *group) plane.create(grey.size());

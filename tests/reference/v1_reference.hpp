@@ -47,12 +47,15 @@ struct V1Reference {
 };
 
 /// Responses of all simple and complex cells; the picture is mirrored at its border.
-inline V1Reference respond(const cv::Mat1b& grey, const V1Settings& settings) {
+/// @param picture grey levels 0..255 of any depth; 16 bits count sixteenths, as for V1Cells.
+inline V1Reference respond(const cv::Mat& picture, const V1Settings& settings) {
   V1Reference result;
+  cv::Mat1d grey;
+  picture.convertTo(grey, CV_64F, picture.depth() == CV_16U ? 1.0 / 16.0 : 1.0);
   for (int i = 0; i < 8; ++i) {
     const GaborKernel kernel = gabor_kernel(settings, i);
     const int radius = kernel.even.rows / 2;
-    cv::Mat1b wide;
+    cv::Mat1d wide;
     cv::copyMakeBorder(grey, wide, radius, radius, radius, radius, cv::BORDER_REFLECT_101);
     cv::Mat1d even(grey.size()), odd(grey.size()), energy(grey.size());
     for (int y = 0; y < grey.rows; ++y) {

@@ -30,9 +30,9 @@ TEST(StereoPairs, ThePaperSettingIsAsGoodAsItsExactReference) {
   double fast = 0.0, exact = 0.0;
   for (const reference::StereoPair& pair : pairs) {
     cv::Mat1f plain;
-    reference::paper_stereo(pair.left, pair.right, 150).convertTo(plain, CV_32F);
+    reference::paper_stereo(pair.fine_left, pair.fine_right, 150).convertTo(plain, CV_32F);
     exact += reference::judge(plain, pair.truth_px).bad2 / static_cast<double>(pairs.size());
-    const DisparityMap map = stereo.match(pair.left, pair.right);
+    const DisparityMap map = stereo.match(pair.fine_left, pair.fine_right);
     const reference::StereoScore score = reference::judge(map.disparity_px, pair.truth_px);
     fast += score.bad2 / static_cast<double>(pairs.size());
     EXPECT_EQ(score.density, 100.0) << "the paper rejects nothing";

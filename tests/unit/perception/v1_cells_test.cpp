@@ -54,6 +54,49 @@ TEST(V1Cells, EveryInstructionSetGivesTheBitsOfTheScalarReference) {
   }
 }
 
+/// Greys with sixteenths of a level.
+cv::Mat1w fine_texture(cv::Size size) {
+  cv::Mat1w fine;
+  reference::texture(size, 7).convertTo(fine, CV_16U, 16.0);
+  for (int y = 0; y < size.height; ++y) {
+    for (int x = 0; x < size.width; ++x) fine(y, x) += static_cast<ushort>((5 * x + 3 * y) % 16);
+  }
+  return fine;
+}
+
+TEST(V1Cells, SixteenthsOfAGreyLevelCountOnEveryInstructionSet) {
+  const cv::Mat1w picture = fine_texture({67, 21});
+  for (const V1Settings& settings : all_settings()) {
+    V1Cells cells(settings);
+    const reference::V1Integers plain = reference::integer_responses(picture, cells.bank());
+    reference::on_every_target([&](const std::string& name) {
+      V1Responses fast;
+      cells.respond(picture, 3, true, fast);
+      expect_same(fast, plain, name);
+    });
+    const reference::V1Reference exact = reference::respond(picture, settings);
+    V1Responses fast;
+    cells.respond(picture, 3, true, fast);
+    EXPECT_NEAR(fast.even[2].row(9)[30] / fast.gain, exact.even[2](9, 30),
+                0.02 * std::sqrt(exact.energy[2](9, 30)) + 2.0 / fast.gain);
+  }
+}
+
+TEST(V1Cells, WholeGreysInSixteenthsGiveTheBitsOfEightBits) {
+  const cv::Mat1b whole = reference::texture({50, 40}, 3);
+  cv::Mat1w sixteenths;
+  whole.convertTo(sixteenths, CV_16U, 16.0);
+  for (const V1Settings& settings : all_settings()) {
+    V1Cells cells(settings);
+    V1Responses a;
+    cells.respond(sixteenths, 3, true, a);
+    expect_same(a, reference::integer_responses(whole, cells.bank()), "sixteenths");
+  }
+  V1Responses nothing;
+  EXPECT_THROW(V1Cells(V1Settings{}).respond(cv::Mat1f(4, 4), 0, false, nothing),
+               std::invalid_argument);
+}
+
 TEST(V1Cells, RespondsAsTheModelInDoublePrecision) {
   const cv::Mat1b picture = reference::texture({80, 60}, 3);
   for (const V1Settings& settings : all_settings()) {
