@@ -64,6 +64,7 @@ class Judge {
   /// Smallest distance from the footprint to anything while nothing was touched.
   [[nodiscard]] double nearest_pass_m() const { return nearest_pass_m_; }
   [[nodiscard]] double clearance_m() const { return clearance_m_; }  ///< now; 0: touching
+  [[nodiscard]] bool touching() const { return clearance_m_ <= 0.0; }
   [[nodiscard]] const std::vector<Collision>& collisions() const { return collisions_; }
   [[nodiscard]] const std::vector<NearMiss>& near_misses() const { return near_misses_; }
   [[nodiscard]] const std::vector<PathPoint>& path() const { return path_; }     ///< each 0.2 s

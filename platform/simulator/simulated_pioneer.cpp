@@ -131,7 +131,7 @@ void SimulatedPioneer::Parts::fill(Senses& senses) {
   const double drop = settings.base.battery_drop_v_per_h * now_s() / 3600.0;
   const double driving = settings.base.battery_drop_v_per_h * driven_m / 300.0;
   senses.battery_v = settings.base.battery_start_v - drop - driving;
-  senses.bumper = !physics.touches().empty();
+  senses.bumper = judge.touching();
   senses.motors_stalled = drive.stalled();
 }
 

@@ -16,7 +16,7 @@ std::vector<std::uint8_t> tone_curve() {
   for (std::size_t i = 0; i < curve.size(); ++i) {
     const double x = static_cast<double>(i) / (kTones - 1);
     const double y = x < 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1.0 / 2.4) - 0.055;
-    curve[i] = static_cast<std::uint8_t>(255.0 * y + 0.5);
+    curve[i] = static_cast<std::uint8_t>(std::lround(255.0 * y));
   }
   return curve;
 }
@@ -50,7 +50,7 @@ V4 held(V4 value, V4 low, V4 high) {
 
 Demosaic::Demosaic(int width, int height) : width_(width), height_(height), tone_(tone_curve()) {
   for (std::vector<int>* line : {&row_.here, &row_.beside, &row_.above, &row_.green, &row_.other}) {
-    line->resize(static_cast<std::size_t>(width + kLanes));
+    line->resize(static_cast<std::size_t>(width) + kLanes);
   }
 }
 

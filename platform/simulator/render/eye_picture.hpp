@@ -47,10 +47,10 @@ class EyePicture {
   std::vector<V4> scratch_;
   int mirror_width_ = 0;
   int mirror_height_ = 0;
-  Packet pending_;
   std::array<int, Packet::kSize> pending_cell_{};
   std::array<float, Packet::kSize> pending_before_m_{};
   unsigned pending_count_ = 0;
+  Packet pending_;
 };
 
 }  // namespace striate::simulator::render

@@ -27,8 +27,9 @@ class MovingAverage {
   }
 
   void smear(V4* first, std::ptrdiff_t step, int count) {
-    line_.resize(static_cast<std::size_t>(count + 2 * reach_));
-    for (int i = 0; i < count + 2 * reach_; ++i) {
+    const int padded = count + 2 * reach_;
+    line_.resize(static_cast<std::size_t>(padded));
+    for (int i = 0; i < padded; ++i) {
       line_[static_cast<std::size_t>(i)] = first[std::clamp(i - reach_, 0, count - 1) * step];
     }
     for (int i = 0; i < count; ++i) {
@@ -73,9 +74,8 @@ Sensor::Sensor(const CameraSettings& settings, Eye eye, std::uint64_t seed)
                              (1.0F + uneven) * (1.0F + static_cast<float>(mismatch)));
     }
   }
-  raw_.assign(
-      static_cast<std::size_t>((width_ + 2 * kMargin) * (height_ + 2 * kMargin) + Demosaic::kSlack),
-      0.0F);
+  const int cells = (width_ + 2 * kMargin) * (height_ + 2 * kMargin);
+  raw_.assign(static_cast<std::size_t>(cells) + Demosaic::kSlack, 0.0F);
 }
 
 cv::Mat3b Sensor::expose(std::vector<V4> light, const Exposure& exposure, const Smear& smear,
