@@ -37,6 +37,7 @@ int run(int argc, char** argv) {
   striate::add_sim_command(app, exit_code);
   striate::add_check_command(app, exit_code);
   striate::add_config_command(app, exit_code);
+  striate::add_eval_command(app, exit_code);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
