@@ -117,11 +117,12 @@ HWY_INLINE void Finish(V32 even_sum, V32 odd_sum, int x, const Responses& to) {
   if (to.odd != nullptr) hn::StoreU(hn::DemoteTo(d16, odd), d16, to.odd + x);
 }
 
-// Vectors of a row at a time: the sums of two rows fit into 32 or 16 registers.
+// What is summed up at a time, rows x vectors, even and odd, fits into 32 or 16 registers.
+constexpr int kVectors = 4;
 #if HWY_TARGET <= HWY_AVX3
-constexpr int kVectors = 5;
+constexpr int kRowsInRegisters = 2;
 #else
-constexpr int kVectors = 2;
+constexpr int kRowsInRegisters = 1;
 #endif
 
 template <int kRows, int kCount>
@@ -132,7 +133,8 @@ struct Sums {
 
 /// Adds what the products of one slot give from x on.
 template <int kRows, int kCount>
-HWY_INLINE void SumSlot(const ColumnJob& job, std::size_t slot, int x, Sums<kRows, kCount>& sums) {
+HWY_INLINE void SumSlot(const ColumnJob& job, std::size_t slot, std::size_t first, int x,
+                        Sums<kRows, kCount>& sums) {
   const D32 d;
   const int step = static_cast<int>(hn::Lanes(d));
   const std::size_t taps = job.offsets.size();
@@ -144,8 +146,8 @@ HWY_INLINE void SumSlot(const ColumnJob& job, std::size_t slot, int x, Sums<kRow
       V32 even_tap[kRows], odd_tap[kRows];
 #pragma GCC unroll 2
       for (int r = 0; r < kRows; ++r) {
-        even_tap[r] = hn::Set(d, input.even_taps[static_cast<std::size_t>(r)][k]);
-        odd_tap[r] = hn::Set(d, input.odd_taps[static_cast<std::size_t>(r)][k]);
+        even_tap[r] = hn::Set(d, input.even_taps[first + static_cast<std::size_t>(r)][k]);
+        odd_tap[r] = hn::Set(d, input.odd_taps[first + static_cast<std::size_t>(r)][k]);
       }
 #pragma GCC unroll 5
       for (int v = 0; v < kCount; ++v) {
@@ -161,9 +163,9 @@ HWY_INLINE void SumSlot(const ColumnJob& job, std::size_t slot, int x, Sums<kRow
   sums = s;
 }
 
-/// kCount vectors of kRows output rows, from x on.
+/// kCount vectors of kRows output rows, from row `first` and x on.
 template <int kRows, int kCount>
-HWY_INLINE void FilterBlock(const ColumnJob& job, int x) {
+HWY_INLINE void FilterBlock(const ColumnJob& job, std::size_t first, int x) {
   const D32 d;
   const int step = static_cast<int>(hn::Lanes(d));
   const V32 half = hn::Set(d, 1 << (FilterBank::kColumnShift - 1));
@@ -172,7 +174,7 @@ HWY_INLINE void FilterBlock(const ColumnJob& job, int x) {
   Sums<kRows, kCount> slot0, slot1;
 #pragma GCC unroll 2
   for (int r = 0; r < kRows; ++r) {
-    const std::int32_t* box = job.box[static_cast<std::size_t>(r)];
+    const std::int32_t* box = job.box[first + static_cast<std::size_t>(r)];
 #pragma GCC unroll 5
     for (int v = 0; v < kCount; ++v) {
       // The mean is the same at theta and pi - theta: it belongs to slot 0.
@@ -184,11 +186,11 @@ HWY_INLINE void FilterBlock(const ColumnJob& job, int x) {
       slot1.even[r][v] = slot1.odd[r][v] = hn::Zero(d);
     }
   }
-  SumSlot(job, 0, x, slot0);
-  SumSlot(job, 1, x, slot1);
+  SumSlot(job, 0, first, x, slot0);
+  SumSlot(job, 1, first, x, slot1);
 #pragma GCC unroll 2
   for (int r = 0; r < kRows; ++r) {
-    const auto row = static_cast<std::size_t>(r);
+    const std::size_t row = first + static_cast<std::size_t>(r);
 #pragma GCC unroll 5
     for (int v = 0; v < kCount; ++v) {
       const int at = x + v * step;
@@ -202,20 +204,23 @@ HWY_INLINE void FilterBlock(const ColumnJob& job, int x) {
 }
 
 template <int kRows>
-HWY_INLINE void FilterBlocks(const ColumnJob& job, int width) {
+HWY_INLINE void FilterBlocks(const ColumnJob& job, std::size_t first, int width) {
   const int step = static_cast<int>(hn::Lanes(D32()));
   int x = 0;
   for (; x + (kVectors - 1) * step < width; x += kVectors * step) {
-    FilterBlock<kRows, kVectors>(job, x);
+    FilterBlock<kRows, kVectors>(job, first, x);
   }
-  for (; x < width; x += step) FilterBlock<kRows, 1>(job, x);
+  for (; x + step < width; x += 2 * step) FilterBlock<kRows, 2>(job, first, x);
+  for (; x < width; x += step) FilterBlock<kRows, 1>(job, first, x);
 }
 
 void FilterColumns(const ColumnJob& job, int width) {
-  if (job.rows == 2) {
-    FilterBlocks<2>(job, width);
-  } else {
-    FilterBlocks<1>(job, width);
+  if (job.rows == kRowsInRegisters && kRowsInRegisters == 2) {
+    FilterBlocks<2>(job, 0, width);
+    return;
+  }
+  for (int row = 0; row < job.rows; ++row) {
+    FilterBlocks<1>(job, static_cast<std::size_t>(row), width);
   }
 }
 
