@@ -3,6 +3,7 @@
 #include "perception/descriptor/dense_descriptor.hpp"
 
 #include <bit>
+#include <cstddef>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "perception/descriptor/dense_descriptor.cpp"
@@ -14,38 +15,47 @@ HWY_BEFORE_NAMESPACE();
 namespace striate::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// 16-bit values below 256 as bytes.
-template <class D16, class V16>
-HWY_INLINE void StoreBytes(D16 d16, V16 low, V16 high, std::uint8_t* out) {
-#if HWY_TARGET == HWY_SCALAR
-  out[0] = static_cast<std::uint8_t>(hn::GetLane(low));
-  out[hn::Lanes(d16)] = static_cast<std::uint8_t>(hn::GetLane(high));
+/// Where the points lie in the planes of codes, as offsets from the centre.
+using Offsets = std::array<std::ptrdiff_t, kDescriptorPoints>;
+
+/// Sets bit i of `bits` where centre > point; called for i = 7 down to 0.
+template <class D, class V>
+HWY_INLINE V AppendBit(D d, V bits, int i, V centre, V point) {
+#if HWY_TARGET <= HWY_AVX3 && HWY_TARGET != HWY_SCALAR
+  // One masked addition.
+  const V bit = hn::Set(d, static_cast<std::int16_t>(1 << i));
+  return hn::IfThenElse(hn::Gt(centre, point), hn::Add(bits, bit), bits);
 #else
-  const hn::Repartition<std::uint8_t, D16> d8;
-  hn::StoreU(hn::ConcatEven(d8, hn::BitCast(d8, high), hn::BitCast(d8, low)), d8, out);
+  // True is -1.
+  (void)i;
+  return hn::Sub(hn::Add(bits, bits), hn::VecFromMask(d, hn::Gt(centre, point)));
 #endif
 }
 
-/// 8 comparisons of one point for 2 * lanes pixels. Rows of the 8 code planes at the centre;
-/// `shift` elements further lies the point.
-void ComparePoint(const std::int16_t* const* centre_rows, const std::int16_t* const* point_rows,
-                  int du, int width, std::uint8_t* HWY_RESTRICT out) {
+/// Descriptors of one row: byte planes `stride` apart. The 8 codes of the centre stay in registers.
+void DescribeRow(const std::int16_t* const* centre_rows, const Offsets& offsets, int width,
+                 std::uint8_t* HWY_RESTRICT out, int stride) {
   const hn::ScalableTag<std::int16_t> d16;
+  const hn::Rebind<std::uint8_t, decltype(d16)> d8;
+  using V = hn::Vec<decltype(d16)>;
   const int step = static_cast<int>(hn::Lanes(d16));
-  for (int x = 0; x < width; x += 2 * step) {
-    auto low = hn::Zero(d16);
-    auto high = hn::Zero(d16);
+  for (int x = 0; x < width; x += step) {
+    const std::int16_t* from[kOrientations];
+    V centre[kOrientations];
+#pragma GCC unroll 8
     for (int i = 0; i < kOrientations; ++i) {
-      const auto bit = hn::Set(d16, static_cast<std::int16_t>(1 << i));
-      const std::int16_t* centre = centre_rows[i] + x;
-      const std::int16_t* point = point_rows[i] + x + du;
-      low = hn::Or(low,
-                   hn::IfThenElseZero(hn::Gt(hn::LoadU(d16, centre), hn::LoadU(d16, point)), bit));
-      high = hn::Or(high,
-                    hn::IfThenElseZero(
-                        hn::Gt(hn::LoadU(d16, centre + step), hn::LoadU(d16, point + step)), bit));
+      from[i] = centre_rows[i] + x;
+      centre[i] = hn::LoadU(d16, from[i]);
     }
-    StoreBytes(d16, low, high, out + x);
+    for (int p = 0; p < kDescriptorPoints; ++p) {
+      const std::ptrdiff_t offset = offsets[static_cast<std::size_t>(p)];
+      V bits = hn::Zero(d16);
+#pragma GCC unroll 8
+      for (int i = kOrientations - 1; i >= 0; --i) {
+        bits = AppendBit(d16, bits, i, centre[i], hn::LoadU(d16, from[i] + offset));
+      }
+      hn::StoreU(hn::DemoteTo(d8, bits), d8, out + p * stride + x);
+    }
   }
 }
 
@@ -55,23 +65,21 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace striate {
 
-HWY_EXPORT(ComparePoint);
+HWY_EXPORT(DescribeRow);
 
 void describe_row(const V1Responses& responses,
                   const std::array<DescriptorPoint, kDescriptorPoints>& points, int y,
                   const DescriptorRow& row) {
   std::array<const std::int16_t*, kOrientations> centre{};
   for (std::size_t i = 0; i < kOrientations; ++i) centre[i] = responses.code[i].row(y);
-  std::uint8_t* out = row.data;
-  for (const DescriptorPoint& point : points) {
-    std::array<const std::int16_t*, kOrientations> other{};
-    for (std::size_t i = 0; i < kOrientations; ++i) {
-      other[i] = responses.code[i].row(y + point.dv);
-    }
-    HWY_DYNAMIC_DISPATCH(ComparePoint)
-    (centre.data(), other.data(), point.du, responses.width, out);
-    out += row.stride;
+  // The planes of all orientations are of one shape.
+  std::array<std::ptrdiff_t, kDescriptorPoints> offsets{};
+  for (std::size_t p = 0; p < points.size(); ++p) {
+    offsets[p] =
+        static_cast<std::ptrdiff_t>(points[p].dv) * responses.code[0].stride() + points[p].du;
   }
+  HWY_DYNAMIC_DISPATCH(DescribeRow)
+  (centre.data(), offsets, responses.width, row.data, row.stride);
 }
 
 Descriptor describe_pixel(const V1Responses& responses,

@@ -8,8 +8,9 @@
 #include "config/user_error.hpp"
 #include "perception/descriptor/dense_descriptor.hpp"
 #include "perception/descriptor/phase_code.hpp"
-#include "perception/stereo/cost_kernels.hpp"
 #include "perception/stereo/decision.hpp"
+#include "perception/stereo/match_kernels.hpp"
+#include "perception/stereo/median_kernel.hpp"
 #include "perception/stereo/phase_costs.hpp"
 #include "perception/stereo/semi_global.hpp"
 #include "perception/v1/v1_cells.hpp"
@@ -66,30 +67,28 @@ class StereoMatcher::Work {
   void prepare(int width) {
     candidates_ = settings_.searched();
     rounded_ = (candidates_ + 3) / 4 * 4;
-    outside_.resize(width, 1, rounded_ + 4, 0);
+    outside_.resize(width, 1, std::max(rounded_ + 4, stereo_kernels::kReachBack), 0);
     std::fill(outside_.row(0) - outside_.margin(), outside_.row(0), std::uint8_t{255});
     std::fill(outside_.row(0), outside_.row(0) + width, std::uint8_t{0});
   }
 
   void match_as_paper(cv::Size size, DisparityMap& out) {
-    costs_.resize(1, rounded_, size.width);
     left_row_.resize(size.width, kDescriptorPoints, 0, 0);
-    right_row_.resize(size.width, kDescriptorPoints, rounded_ + 4, 0);
+    right_row_.resize(size.width, kDescriptorPoints, stereo_kernels::kReachBack, 0);
+    smallest_.resize(size.width, 1, 0, 0);
+    winners_.resize(size.width, size.height, 2, 0);
     const DescriptorRow left{left_row_.row(0), left_row_.stride()};
     const DescriptorRow right{right_row_.row(0), right_row_.stride()};
-    winners_.resize(size.width, 1, 0, 0);
-    raw_.create(size);
     for (int y = 0; y < size.height; ++y) {
       describe_row(left_, points_, y, left);
       describe_row(right_, points_, y, right);
-      stereo_kernels::hamming_costs(left, right, outside_.row(0), size.width, rounded_,
-                                    costs_.line(0), costs_.stride());
-      stereo_kernels::smallest_cost(costs_.line(0), costs_.stride(), size.width, candidates_,
-                                    winners_.row(0));
-      std::copy(winners_.row(0), winners_.row(0) + size.width, raw_.ptr(y));
+      stereo_kernels::best_matches({left, right, outside_.row(0), size.width, candidates_,
+                                    smallest_.row(0), winners_.row(y)});
     }
-    cv::medianBlur(raw_, median_, 5);
-    median_.convertTo(out.disparity_px, CV_32F);
+    stereo_kernels::median_5x5(winners_, median_);
+    const cv::Mat1b median(size.height, size.width, median_.row(0),
+                           static_cast<std::size_t>(median_.stride()));
+    median.convertTo(out.disparity_px, CV_32F);
     out.confidence.setTo(1.0F);
   }
 
@@ -112,9 +111,8 @@ class StereoMatcher::Work {
   PhaseCosts phase_costs_;
   int candidates_ = 0;
   int rounded_ = 0;
-  Plane<std::uint8_t> left_row_, right_row_, outside_, winners_;
+  Plane<std::uint8_t> left_row_, right_row_, outside_, smallest_, winners_, median_;
   Volume<std::uint8_t> costs_;
-  cv::Mat1b raw_, median_;
 };
 
 StereoMatcher::StereoMatcher(const StereoSettings& settings) {

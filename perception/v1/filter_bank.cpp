@@ -74,9 +74,12 @@ RealPair decompose(const V1Settings& s, int orientation, int radius) {
     const double size = svd.singularValues()(k);
     if (size < 1e-6 * svd.singularValues()(0)) break;
     const Eigen::ArrayXd u = svd.matrixU().col(k).array() * size;
-    const Eigen::ArrayXd v = svd.matrixV().col(k).array();
-    // Mirroring x leaves an even singular vector as it is and changes an odd one's sign.
+    Eigen::ArrayXd v = svd.matrixV().col(k).array();
+    // Mirroring x leaves an even singular vector as it is and changes an odd one's sign; exactly
+    // so after this, but for which row filters could not be folded.
     const bool even = (v - v.reverse()).abs().maxCoeff() < v.abs().maxCoeff() * 1e-3;
+    const Eigen::ArrayXd mirrored = v.reverse();
+    v = (v + (even ? 1.0 : -1.0) * mirrored) / 2.0;
     const Eigen::VectorXd cos_x = v * phase_x.cos();
     const Eigen::VectorXd sin_x = v * phase_x.sin();
     const Eigen::VectorXd cos_y = u * phase_y.cos();

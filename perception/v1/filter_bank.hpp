@@ -29,7 +29,7 @@ struct FilterBank {
 
   /// One row filter and the two column filters on its output.
   struct Product {
-    std::vector<std::int16_t> row;          ///< 2 * radius + 1 taps
+    std::vector<std::int16_t> row;          ///< 2 * radius + 1 taps; even or odd about the middle
     std::vector<std::int16_t> column_even;  ///< feeds the even responses' slot
     std::vector<std::int16_t> column_odd;   ///< feeds the odd responses' slot
     int slot = 0;

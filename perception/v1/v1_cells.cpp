@@ -10,16 +10,24 @@ namespace striate {
 namespace {
 
 /// Taps as pairs for the multiply-add: (t0, t1), (t2, t3), ...; `late` starts with a zero.
-std::vector<std::int32_t> pack(const std::vector<std::int16_t>& taps, bool late) {
-  std::vector<std::int16_t> padded(taps);
-  padded.insert(late ? padded.begin() : padded.end(), 0);
+std::vector<std::int32_t> pack(std::vector<std::int16_t> taps, bool late) {
+  if (late) taps.insert(taps.begin(), 0);
+  if (taps.size() % 2 == 1) taps.push_back(0);
   std::vector<std::int32_t> result;
-  for (std::size_t k = 0; k + 1 < padded.size(); k += 2) {
-    const auto low = static_cast<std::uint16_t>(padded[k]);
-    const auto high = static_cast<std::uint32_t>(static_cast<std::uint16_t>(padded[k + 1]));
+  for (std::size_t k = 0; k + 1 < taps.size(); k += 2) {
+    const auto low = static_cast<std::uint16_t>(taps[k]);
+    const auto high = static_cast<std::uint32_t>(static_cast<std::uint16_t>(taps[k + 1]));
     result.push_back(static_cast<std::int32_t>(low | (high << 16)));
   }
   return result;
+}
+
+/// The right half of a row filter.
+v1_kernels::RowTaps fold(const std::vector<std::int16_t>& taps) {
+  const auto middle = taps.begin() + static_cast<std::ptrdiff_t>(taps.size() / 2);
+  const bool even =
+      *middle != 0 || std::equal(middle, taps.end(), taps.rbegin() + (middle - taps.begin()));
+  return {even, pack({even ? middle : middle + 1, taps.end()}, false)};
 }
 
 /// Of all greys in sixteenths; with 128 taken away they fit what the filters take.
@@ -27,6 +35,16 @@ constexpr int kBrightest = (256 << FilterBank::kGreyShift) - 1;
 
 std::int16_t centred(int grey) {
   return static_cast<std::int16_t>(grey - (128 << FilterBank::kGreyShift));
+}
+
+void copy_row(const cv::Mat& grey, int y, std::int16_t* row) {
+  if (grey.depth() == CV_8U) {
+    const std::uint8_t* from = grey.ptr<std::uint8_t>(y);
+    for (int x = 0; x < grey.cols; ++x) row[x] = centred(from[x] << FilterBank::kGreyShift);
+  } else {
+    const std::uint16_t* from = grey.ptr<std::uint16_t>(y);
+    for (int x = 0; x < grey.cols; ++x) row[x] = centred(std::min<int>(from[x], kBrightest));
+  }
 }
 
 int mirror(int at, int size) {
@@ -58,51 +76,46 @@ float complex_response(std::int16_t code) {
 
 V1Cells::V1Cells(const V1Settings& settings)
     : settings_(settings), bank_(make_filter_bank(settings)) {
-  std::size_t most_products = 0;
   for (const FilterBank::Pair& pair : bank_.pairs) {
     std::vector<PackedProduct> products;
     for (const FilterBank::Product& p : pair.products) {
-      products.push_back({pack(p.row, false),
+      products.push_back({fold(p.row),
                           {pack(p.column_even, false), pack(p.column_even, true)},
                           {pack(p.column_odd, false), pack(p.column_odd, true)},
-                          p.slot});
+                          static_cast<std::size_t>(p.slot),
+                          products_++});
     }
-    most_products = std::max(most_products, products.size());
     packed_.push_back(std::move(products));
   }
-  row_sums_.resize(most_products);
+  job_.offsets.resize(static_cast<std::size_t>(bank_.radius) + 1);
 }
 
 void V1Cells::take_picture(const cv::Mat& grey) {
-  const int radius = bank_.radius;
-  const int reach = std::max(radius, bank_.box_radius) + 1;
-  greys_.resize(grey.cols, grey.rows, reach, 0);
-  pixel_pairs_.resize(grey.cols, grey.rows, radius + 1, 0);
+  const int beyond = std::max(bank_.radius, bank_.box_radius) + 1;
+  picture_.resize(grey.cols, grey.rows, beyond, 0);
+  beyond_left_.clear();
+  beyond_right_.clear();
+  for (int k = 1; k <= beyond; ++k) {
+    beyond_left_.push_back(mirror(-k, grey.cols));
+    beyond_right_.push_back(mirror(grey.cols - 1 + k, grey.cols));
+  }
   for (int y = 0; y < grey.rows; ++y) {
-    std::int16_t* row = greys_.row(y);
-    if (grey.depth() == CV_8U) {
-      const std::uint8_t* from = grey.ptr<std::uint8_t>(y);
-      for (int x = 0; x < grey.cols; ++x) row[x] = centred(from[x] << FilterBank::kGreyShift);
-    } else {
-      const std::uint16_t* from = grey.ptr<std::uint16_t>(y);
-      for (int x = 0; x < grey.cols; ++x) row[x] = centred(std::min<int>(from[x], kBrightest));
+    std::int16_t* row = picture_.row(y);
+    copy_row(grey, y, row);
+    for (int k = 1; k <= beyond; ++k) {
+      row[-k] = row[beyond_left_[static_cast<std::size_t>(k - 1)]];
+      row[grey.cols - 1 + k] = row[beyond_right_[static_cast<std::size_t>(k - 1)]];
     }
-    for (int x = 1; x <= reach; ++x) {
-      row[-x] = row[mirror(-x, grey.cols)];
-      row[grey.cols - 1 + x] = row[mirror(grey.cols - 1 + x, grey.cols)];
-    }
-    v1_kernels::pair_up(row, radius, grey.cols, pixel_pairs_.row(y));
   }
 }
 
 /// Sums of the greys over the kernel's support, by moving windows along rows, then columns.
-void V1Cells::sum_boxes() {
-  const int radius = bank_.box_radius;
-  const int width = greys_.width(), height = greys_.height();
+void V1Cells::sum_boxes(int height) {
+  const int radius = bank_.box_radius, width = picture_.width();
   box_rows_.resize(width, height, 0, 0);
   box_.resize(width, height, 0, 0);
   for (int y = 0; y < height; ++y) {
-    const std::int16_t* row = greys_.row(y);
+    const std::int16_t* row = picture_.row(y);
     std::int32_t sum = 0;
     for (int x = -radius; x <= radius; ++x) sum += row[x];
     std::int32_t* to = box_rows_.row(y);
@@ -124,41 +137,57 @@ void V1Cells::sum_boxes() {
   }
 }
 
-void V1Cells::respond_pair(std::size_t index, bool simple_cells, V1Responses& out) {
-  const FilterBank::Pair& pair = bank_.pairs[index];
-  const std::vector<PackedProduct>& products = packed_[index];
-  const int radius = bank_.radius;
-  // Row pass on pairs of rows (2j - radius, 2j + 1 - radius).
-  const int row_pairs = (out.height + 2 * radius + 3) / 2;
-  for (std::size_t k = 0; k < products.size(); ++k) {
-    row_sums_[k].resize(out.width, row_pairs, 0, 0);
-    for (int j = 0; j < row_pairs; ++j) {
-      v1_kernels::filter_rows(pixel_pairs_.row(mirror(2 * j - radius, out.height)),
-                              pixel_pairs_.row(mirror(2 * j + 1 - radius, out.height)),
-                              products[k].row, out.width, row_sums_[k].row(j));
+/// All row filters on rows 2j - radius and 2j + 1 - radius.
+void V1Cells::filter_row_pair(int j) {
+  const int radius = bank_.radius, width = picture_.width();
+  std::array<v1_kernels::FoldedRow, 2> rows;
+  for (int k = 0; k < 2; ++k) {
+    Plane<std::int32_t>& plane = folded_[static_cast<std::size_t>(k)];
+    rows[static_cast<std::size_t>(k)] = {plane.row(0), plane.row(v1_kernels::even_pairs(radius)),
+                                         plane.stride()};
+    const int y = mirror(2 * j + k - radius, picture_.height());
+    v1_kernels::fold_row(picture_.row(y), radius, width, rows[static_cast<std::size_t>(k)]);
+  }
+  const int place = j % (radius + 1);
+  for (const std::vector<PackedProduct>& products : packed_) {
+    for (const PackedProduct& p : products) {
+      v1_kernels::filter_rows(rows[0], rows[1], p.row, width,
+                              row_sums_.row(p.index * (radius + 1) + place));
     }
   }
-  job_.taps = radius + 1;
-  job_.box_factor = pair.box_factor;
-  job_.offset = pair.offset;
-  auto responses = [&](int orientation, int y) -> v1_kernels::Responses {
-    if (orientation < 0) return {};
+}
+
+/// Output rows y (even) and y + 1.
+void V1Cells::respond_rows(int y, bool simple_cells, V1Responses& out) {
+  const int pairs = bank_.radius + 1;
+  for (int k = 0; k < pairs; ++k) {
+    job_.offsets[static_cast<std::size_t>(k)] =
+        static_cast<std::ptrdiff_t>((y / 2 + k) % pairs) * row_sums_.stride();
+  }
+  job_.rows = std::min(v1_kernels::kRowsAtOnce, out.height - y);
+  auto responses = [&](int orientation, int row) -> v1_kernels::Responses {
+    if (orientation < 0 || row >= out.height) return {};
     const auto i = static_cast<std::size_t>(orientation);
-    if (!simple_cells) return {out.code[i].row(y), nullptr, nullptr};
-    return {out.code[i].row(y), out.even[i].row(y), out.odd[i].row(y)};
+    if (!simple_cells) return {out.code[i].row(row), nullptr, nullptr};
+    return {out.code[i].row(row), out.even[i].row(row), out.odd[i].row(row)};
   };
-  for (int y = 0; y < out.height; ++y) {
+  for (std::size_t index = 0; index < packed_.size(); ++index) {
+    const FilterBank::Pair& pair = bank_.pairs[index];
+    job_.box_factor = pair.box_factor;
+    job_.offset = pair.offset;
     job_.slots[0].clear();
     job_.slots[1].clear();
-    const auto odd_row = static_cast<std::size_t>(y % 2);
-    for (std::size_t k = 0; k < products.size(); ++k) {
-      job_.slots[static_cast<std::size_t>(products[k].slot)].push_back(
-          {row_sums_[k].row(y / 2), row_sums_[k].stride(), products[k].even[odd_row].data(),
-           products[k].odd[odd_row].data()});
+    for (const PackedProduct& p : packed_[index]) {
+      job_.slots[p.slot].push_back({row_sums_.row(p.index * pairs),
+                                    {p.even[0].data(), p.even[1].data()},
+                                    {p.odd[0].data(), p.odd[1].data()}});
     }
-    job_.box = pair.box_factor == 0 ? nullptr : box_.row(y);
-    job_.direct = responses(pair.orientation, y);
-    job_.mirrored = responses(pair.mirrored, y);
+    for (int r = 0; r < job_.rows; ++r) {
+      const auto row = static_cast<std::size_t>(r);
+      job_.box[row] = pair.box_factor == 0 ? nullptr : box_.row(y + r);
+      job_.direct[row] = responses(pair.orientation, y + r);
+      job_.mirrored[row] = responses(pair.mirrored, y + r);
+    }
     v1_kernels::filter_columns(job_, out.width);
   }
 }
@@ -180,8 +209,17 @@ void V1Cells::respond(const cv::Mat& grey, int margin, bool simple_cells, V1Resp
     }
   }
   take_picture(grey);
-  if (settings_.even_mean != EvenMean::envelope) sum_boxes();
-  for (std::size_t k = 0; k < bank_.pairs.size(); ++k) respond_pair(k, simple_cells, out);
+  if (settings_.even_mean != EvenMean::envelope) sum_boxes(grey.rows);
+  const int radius = bank_.radius;
+  row_sums_.resize(grey.cols, products_ * (radius + 1), 0, 0);
+  for (Plane<std::int32_t>& plane : folded_) {
+    plane.resize(grey.cols, v1_kernels::even_pairs(radius) + v1_kernels::odd_pairs(radius), 0, 0);
+  }
+  for (int j = 0; j < radius; ++j) filter_row_pair(j);
+  for (int y = 0; y < grey.rows; y += v1_kernels::kRowsAtOnce) {
+    filter_row_pair(y / 2 + radius);
+    respond_rows(y, simple_cells, out);
+  }
   for (Plane<std::int16_t>& plane : out.code) continue_beyond_border(plane);
 }
 

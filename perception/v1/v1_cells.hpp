@@ -52,20 +52,25 @@ class V1Cells {
 
  private:
   struct PackedProduct {
-    std::vector<std::int32_t> row;
+    v1_kernels::RowTaps row;
     std::array<std::vector<std::int32_t>, 2> even, odd;  ///< for output rows of even and odd y
-    int slot = 0;
+    std::size_t slot = 0;
+    int index = 0;  ///< counted over all pairs
   };
   void take_picture(const cv::Mat& grey);
-  void sum_boxes();
-  void respond_pair(std::size_t index, bool simple_cells, V1Responses& out);
+  void sum_boxes(int height);
+  void filter_row_pair(int j);
+  void respond_rows(int y, bool simple_cells, V1Responses& out);
 
   V1Settings settings_;
   FilterBank bank_;
   std::vector<std::vector<PackedProduct>> packed_;  ///< one list per pair of the bank
-  Plane<std::int16_t> greys_;        ///< 16 (grey - 128), continued sideways by mirroring
-  Plane<std::int32_t> pixel_pairs_;  ///< see v1_kernels::pair_up
-  std::vector<Plane<std::int32_t>> row_sums_;
+  int products_ = 0;                                ///< in all lists
+  Plane<std::int16_t> picture_;  ///< 16 (grey - 128), mirrored beyond its left and right border
+  std::vector<int> beyond_left_, beyond_right_;  ///< columns that are mirrored there
+  std::array<Plane<std::int32_t>, 2> folded_;    ///< two rows; see v1_kernels::FoldedRow
+  /// Filtered pairs of rows: those that the current output rows need, in turn; per product.
+  Plane<std::int32_t> row_sums_;
   Plane<std::int32_t> box_rows_;
   Plane<std::int32_t> box_;
   v1_kernels::ColumnJob job_;

@@ -30,40 +30,65 @@ HWY_INLINE V32 MultiplyPairs(V32 a, V32 b) {
 #endif
 }
 
+/// sum + the two 16-bit products of each 32-bit element.
+HWY_INLINE V32 MultiplyAddPairs(V32 sum, V32 a, V32 b) {
+  return hn::Add(sum, MultiplyPairs(a, b));
+}
+
 /// (low, high) as 16-bit halves; both within 16 bits.
 HWY_INLINE V32 JoinHalves(V32 low, V32 high) {
   return hn::Or(hn::ShiftLeft<16>(high), hn::And(low, hn::Set(D32(), 0xFFFF)));
 }
 
-void PairUp(const std::int16_t* HWY_RESTRICT grey, int radius, int width,
-            std::int32_t* HWY_RESTRICT pairs) {
+/// grey[x + k] + grey[x - k], or the difference.
+HWY_INLINE void FoldAt(const std::int16_t* HWY_RESTRICT grey, int k, V32& sum, V32& difference) {
+  const D32 d;
+  const hn::Rebind<std::int16_t, D32> d16;
+  const V32 right = hn::PromoteTo(d, hn::LoadU(d16, grey + k));
+  const V32 left = hn::PromoteTo(d, hn::LoadU(d16, grey - k));
+  sum = hn::Add(right, left);
+  difference = hn::Sub(right, left);
+}
+
+void FoldRow(const std::int16_t* grey, int radius, int width, const FoldedRow& out) {
   const D32 d;
   const hn::Rebind<std::int16_t, D32> d16;
   const int step = static_cast<int>(hn::Lanes(d));
-  for (int x = -radius; x <= width + radius; x += step) {
-    const V32 here = hn::PromoteTo(d, hn::LoadU(d16, grey + x));
-    const V32 next = hn::PromoteTo(d, hn::LoadU(d16, grey + x + 1));
-    hn::StoreU(JoinHalves(here, next), d, pairs + x);
+  for (int x = 0; x < width; x += step) {
+    V32 even = hn::PromoteTo(d, hn::LoadU(d16, grey + x));
+    V32 odd = hn::Zero(d);
+    // The last pairs may hold one value too many: its tap is zero.
+    for (int k = 1; k <= radius + 1; ++k) {
+      V32 sum, difference;
+      FoldAt(grey + x, k, sum, difference);
+      if (k % 2 == 1) {
+        hn::StoreU(JoinHalves(even, sum), d, out.even + (k / 2) * out.stride + x);
+        odd = difference;
+      } else {
+        even = sum;
+        hn::StoreU(JoinHalves(odd, difference), d, out.odd + (k / 2 - 1) * out.stride + x);
+      }
+    }
   }
 }
 
-void FilterRows(const std::int32_t* HWY_RESTRICT pairs_a, const std::int32_t* HWY_RESTRICT pairs_b,
-                const std::vector<std::int32_t>& taps, int width, std::int32_t* HWY_RESTRICT out) {
+void FilterRows(const FoldedRow& row_a, const FoldedRow& row_b, const RowTaps& taps, int width,
+                std::int32_t* HWY_RESTRICT out) {
   const D32 d;
   const int step = static_cast<int>(hn::Lanes(d));
-  const int count = static_cast<int>(taps.size());
-  const int radius = count - 1;
+  const int count = static_cast<int>(taps.pairs.size());
+  const std::int32_t* HWY_RESTRICT tap = taps.pairs.data();
   const V32 half = hn::Set(d, 1 << (FilterBank::kRowShift - 1));
   for (int x = 0; x < width; x += 2 * step) {
     V32 a0 = half, a1 = half, b0 = half, b1 = half;
-    const std::int32_t* a = pairs_a + x - radius;
-    const std::int32_t* b = pairs_b + x - radius;
-    for (int k = 0; k < count; ++k, a += 2, b += 2) {
-      const V32 tap = hn::Set(d, taps[static_cast<std::size_t>(k)]);
-      a0 = hn::Add(a0, MultiplyPairs(hn::LoadU(d, a), tap));
-      a1 = hn::Add(a1, MultiplyPairs(hn::LoadU(d, a + step), tap));
-      b0 = hn::Add(b0, MultiplyPairs(hn::LoadU(d, b), tap));
-      b1 = hn::Add(b1, MultiplyPairs(hn::LoadU(d, b + step), tap));
+    const std::int32_t* a = (taps.even ? row_a.even : row_a.odd) + x;
+    const std::int32_t* b = (taps.even ? row_b.even : row_b.odd) + x;
+    for (int k = 0; k < count; ++k, a += row_a.stride, b += row_b.stride) {
+      const V32 t = hn::Set(d, tap[k]);
+      a0 = MultiplyAddPairs(a0, hn::LoadU(d, a), t);
+      a1 = MultiplyAddPairs(a1, hn::LoadU(d, a + step), t);
+      b0 = MultiplyAddPairs(b0, hn::LoadU(d, b), t);
+      b1 = MultiplyAddPairs(b1, hn::LoadU(d, b + step), t);
     }
     constexpr int kShift = FilterBank::kRowShift;
     hn::StoreU(JoinHalves(hn::ShiftRight<kShift>(a0), hn::ShiftRight<kShift>(b0)), d, out + x);
@@ -92,53 +117,117 @@ HWY_INLINE void Finish(V32 even_sum, V32 odd_sum, int x, const Responses& to) {
   if (to.odd != nullptr) hn::StoreU(hn::DemoteTo(d16, odd), d16, to.odd + x);
 }
 
-/// Adds what the products of one slot give at x and x + lanes.
-HWY_INLINE void SumSlot(const std::vector<ColumnInput>& inputs, int taps, int x, V32& even0,
-                        V32& even1, V32& odd0, V32& odd1) {
+// What is summed up at a time, rows x vectors, even and odd, fits into 32 or 16 registers.
+constexpr int kVectors = 4;
+#if HWY_TARGET <= HWY_AVX3
+constexpr int kRowsInRegisters = 2;
+#else
+constexpr int kRowsInRegisters = 1;
+#endif
+
+template <int kRows, int kCount>
+struct Sums {
+  V32 even[kRows][kCount];
+  V32 odd[kRows][kCount];
+};
+
+/// Adds what the products of one slot give from x on.
+template <int kRows, int kCount>
+HWY_INLINE void SumSlot(const ColumnJob& job, std::size_t slot, std::size_t first, int x,
+                        Sums<kRows, kCount>& sums) {
   const D32 d;
   const int step = static_cast<int>(hn::Lanes(d));
-  for (const ColumnInput& input : inputs) {
-    const std::int32_t* HWY_RESTRICT from = input.first + x;
-    for (int k = 0; k < taps; ++k, from += input.stride) {
-      const V32 even_tap = hn::Set(d, input.even_taps[k]);
-      const V32 odd_tap = hn::Set(d, input.odd_taps[k]);
-      const V32 r0 = hn::LoadU(d, from);
-      const V32 r1 = hn::LoadU(d, from + step);
-      even0 = hn::Add(even0, MultiplyPairs(r0, even_tap));
-      even1 = hn::Add(even1, MultiplyPairs(r1, even_tap));
-      odd0 = hn::Add(odd0, MultiplyPairs(r0, odd_tap));
-      odd1 = hn::Add(odd1, MultiplyPairs(r1, odd_tap));
+  const std::size_t taps = job.offsets.size();
+  const std::ptrdiff_t* HWY_RESTRICT offsets = job.offsets.data();
+  Sums<kRows, kCount> s = sums;
+  for (const ColumnInput& input : job.slots[slot]) {
+    for (std::size_t k = 0; k < taps; ++k) {
+      const std::int32_t* HWY_RESTRICT from = input.rows + offsets[k] + x;
+      V32 even_tap[kRows], odd_tap[kRows];
+#pragma GCC unroll 2
+      for (int r = 0; r < kRows; ++r) {
+        even_tap[r] = hn::Set(d, input.even_taps[first + static_cast<std::size_t>(r)][k]);
+        odd_tap[r] = hn::Set(d, input.odd_taps[first + static_cast<std::size_t>(r)][k]);
+      }
+#pragma GCC unroll 5
+      for (int v = 0; v < kCount; ++v) {
+        const V32 value = hn::LoadU(d, from + v * step);
+#pragma GCC unroll 2
+        for (int r = 0; r < kRows; ++r) {
+          s.even[r][v] = MultiplyAddPairs(s.even[r][v], value, even_tap[r]);
+          s.odd[r][v] = MultiplyAddPairs(s.odd[r][v], value, odd_tap[r]);
+        }
+      }
     }
   }
+  sums = s;
 }
 
-void FilterColumns(const ColumnJob& job, int width) {
+/// Whole grey levels of a sum over the support.
+HWY_INLINE V32 WholeBox(const std::int32_t* box) {
+  const D32 d;
+  const V32 half = hn::Set(d, 1 << (FilterBank::kGreyShift - 1));
+  return hn::ShiftRight<FilterBank::kGreyShift>(hn::Add(hn::LoadU(d, box), half));
+}
+
+/// kCount vectors of kRows output rows, from row `first` and x on.
+template <int kRows, int kCount>
+HWY_INLINE void FilterBlock(const ColumnJob& job, std::size_t first, int x) {
   const D32 d;
   const int step = static_cast<int>(hn::Lanes(d));
   const V32 half = hn::Set(d, 1 << (FilterBank::kColumnShift - 1));
   const V32 offset = hn::Set(d, job.offset + (1 << (FilterBank::kColumnShift - 1)));
   const V32 box_factor = hn::Set(d, job.box_factor);
-  const V32 box_half = hn::Set(d, 1 << (FilterBank::kGreyShift - 1));
-  const auto whole_box = [&](int x) {
-    return hn::ShiftRight<FilterBank::kGreyShift>(hn::Add(hn::LoadU(d, job.box + x), box_half));
-  };
-  for (int x = 0; x < width; x += 2 * step) {
-    // The mean is the same at theta and pi - theta: it belongs to slot 0.
-    V32 even0 = offset, even1 = offset, odd0 = half, odd1 = half;
-    if (job.box != nullptr) {
-      even0 = hn::Sub(even0, hn::Mul(whole_box(x), box_factor));
-      even1 = hn::Sub(even1, hn::Mul(whole_box(x + step), box_factor));
+  Sums<kRows, kCount> slot0, slot1;
+#pragma GCC unroll 2
+  for (int r = 0; r < kRows; ++r) {
+    const std::int32_t* box = job.box[first + static_cast<std::size_t>(r)];
+#pragma GCC unroll 5
+    for (int v = 0; v < kCount; ++v) {
+      // The mean is the same at theta and pi - theta: it belongs to slot 0.
+      slot0.even[r][v] = offset;
+      if (box != nullptr) {
+        slot0.even[r][v] = hn::Sub(offset, hn::Mul(WholeBox(box + x + v * step), box_factor));
+      }
+      slot0.odd[r][v] = half;
+      slot1.even[r][v] = slot1.odd[r][v] = hn::Zero(d);
     }
-    V32 slot1_even0 = hn::Zero(d), slot1_even1 = hn::Zero(d);
-    V32 slot1_odd0 = hn::Zero(d), slot1_odd1 = hn::Zero(d);
-    SumSlot(job.slots[0], job.taps, x, even0, even1, odd0, odd1);
-    SumSlot(job.slots[1], job.taps, x, slot1_even0, slot1_even1, slot1_odd0, slot1_odd1);
-    Finish(hn::Add(even0, slot1_even0), hn::Add(odd0, slot1_odd0), x, job.direct);
-    Finish(hn::Add(even1, slot1_even1), hn::Add(odd1, slot1_odd1), x + step, job.direct);
-    if (job.mirrored.code != nullptr) {
-      Finish(hn::Sub(even0, slot1_even0), hn::Sub(odd0, slot1_odd0), x, job.mirrored);
-      Finish(hn::Sub(even1, slot1_even1), hn::Sub(odd1, slot1_odd1), x + step, job.mirrored);
+  }
+  SumSlot(job, 0, first, x, slot0);
+  SumSlot(job, 1, first, x, slot1);
+#pragma GCC unroll 2
+  for (int r = 0; r < kRows; ++r) {
+    const std::size_t row = first + static_cast<std::size_t>(r);
+#pragma GCC unroll 5
+    for (int v = 0; v < kCount; ++v) {
+      const int at = x + v * step;
+      Finish(hn::Add(slot0.even[r][v], slot1.even[r][v]), hn::Add(slot0.odd[r][v], slot1.odd[r][v]),
+             at, job.direct[row]);
+      if (job.mirrored[row].code == nullptr) continue;
+      Finish(hn::Sub(slot0.even[r][v], slot1.even[r][v]), hn::Sub(slot0.odd[r][v], slot1.odd[r][v]),
+             at, job.mirrored[row]);
     }
+  }
+}
+
+template <int kRows>
+HWY_INLINE void FilterBlocks(const ColumnJob& job, std::size_t first, int width) {
+  const int step = static_cast<int>(hn::Lanes(D32()));
+  int x = 0;
+  for (; x + (kVectors - 1) * step < width; x += kVectors * step) {
+    FilterBlock<kRows, kVectors>(job, first, x);
+  }
+  for (; x + step < width; x += 2 * step) FilterBlock<kRows, 2>(job, first, x);
+  for (; x < width; x += step) FilterBlock<kRows, 1>(job, first, x);
+}
+
+void FilterColumns(const ColumnJob& job, int width) {
+  if (job.rows == kRowsInRegisters && kRowsInRegisters == 2) {
+    FilterBlocks<2>(job, 0, width);
+    return;
+  }
+  for (int row = 0; row < job.rows; ++row) {
+    FilterBlocks<1>(job, static_cast<std::size_t>(row), width);
   }
 }
 
@@ -157,18 +246,18 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace striate::v1_kernels {
 
-HWY_EXPORT(PairUp);
+HWY_EXPORT(FoldRow);
 HWY_EXPORT(FilterRows);
 HWY_EXPORT(FilterColumns);
 HWY_EXPORT(SlideBox);
 
-void pair_up(const std::int16_t* grey, int radius, int width, std::int32_t* pairs) {
-  HWY_DYNAMIC_DISPATCH(PairUp)(grey, radius, width, pairs);
+void fold_row(const std::int16_t* grey, int radius, int width, const FoldedRow& out) {
+  HWY_DYNAMIC_DISPATCH(FoldRow)(grey, radius, width, out);
 }
 
-void filter_rows(const std::int32_t* pairs_a, const std::int32_t* pairs_b,
-                 const std::vector<std::int32_t>& taps, int width, std::int32_t* out) {
-  HWY_DYNAMIC_DISPATCH(FilterRows)(pairs_a, pairs_b, taps, width, out);
+void filter_rows(const FoldedRow& a, const FoldedRow& b, const RowTaps& taps, int width,
+                 std::int32_t* out) {
+  HWY_DYNAMIC_DISPATCH(FilterRows)(a, b, taps, width, out);
 }
 
 void filter_columns(const ColumnJob& job, int width) {

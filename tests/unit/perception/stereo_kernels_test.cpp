@@ -1,11 +1,13 @@
 #include <gtest/gtest.h>
 
-#include "perception/stereo/cost_kernels.hpp"
+#include "perception/stereo/match_kernels.hpp"
+#include "perception/stereo/median_kernel.hpp"
 #include "perception/stereo/phase_costs.hpp"
 #include "perception/stereo/semi_global.hpp"
 #include "perception/stereo/winner_kernels.hpp"
 #include "tests/reference/every_target.hpp"
 #include "tests/reference/semi_global_reference.hpp"
+#include "tests/reference/stereo_reference.hpp"
 #include "tests/reference/test_pictures.hpp"
 
 namespace striate {
@@ -20,55 +22,100 @@ Plane<std::uint8_t> outside_plane(int width, int margin) {
   return outside;
 }
 
-TEST(HammingCosts, AreTheBitsThatDifferOnEveryInstructionSet) {
-  constexpr int kWidth = 83, kCandidates = 24;
+struct DescriptorRows {
   Plane<std::uint8_t> left, right;
-  left.resize(kWidth, kDescriptorPoints, 0, 0);
-  right.resize(kWidth, kDescriptorPoints, kCandidates + 4, 0);
+};
+
+/// Bits by chance; where `agreeing`, only one plane has any, so that many distances are equal.
+DescriptorRows random_rows(int width, bool agreeing) {
+  DescriptorRows rows;
+  rows.left.resize(width, kDescriptorPoints, 0, 0);
+  rows.right.resize(width, kDescriptorPoints, stereo_kernels::kReachBack, 0);
   for (int p = 0; p < kDescriptorPoints; ++p) {
-    for (int x = 0; x < kWidth; ++x) {
-      left.row(p)[x] = static_cast<std::uint8_t>(hash_noise(x, p, 1));
-      right.row(p)[x] = static_cast<std::uint8_t>(hash_noise(x, p, 2));
+    for (int x = 0; x < width; ++x) {
+      const bool blank = agreeing && p > 0;
+      rows.left.row(p)[x] = blank ? 0 : static_cast<std::uint8_t>(hash_noise(x, p, 1));
+      rows.right.row(p)[x] = blank ? 0 : static_cast<std::uint8_t>(hash_noise(x, p, 2));
     }
   }
-  const Plane<std::uint8_t> outside = outside_plane(kWidth, kCandidates + 4);
-  reference::on_every_target([&](const std::string& name) {
-    Volume<std::uint8_t> costs;
-    costs.resize(1, kCandidates, kWidth);
-    stereo_kernels::hamming_costs({left.row(0), left.stride()}, {right.row(0), right.stride()},
-                                  outside.row(0), kWidth, kCandidates, costs.line(0),
-                                  costs.stride());
-    std::array<std::uint8_t, 256> best{};
-    stereo_kernels::smallest_cost(costs.line(0), costs.stride(), kWidth, kCandidates, best.data());
-    for (int x = 0; x < kWidth; ++x) {
-      int smallest = 1000, winner = 0;
-      for (int d = 0; d < kCandidates; ++d) {
-        int expected = d > x ? 255 : 0;
-        for (int p = 0; p < kDescriptorPoints && d <= x; ++p) {
-          expected += std::popcount(static_cast<unsigned>(left.row(p)[x] ^ right.row(p)[x - d]));
-        }
-        ASSERT_EQ(costs.line(0)[d * costs.stride() + x], expected) << name;
-        if (expected < smallest) {
-          smallest = expected;
-          winner = d;
-        }
+  return rows;
+}
+
+void expect_best_matches(const DescriptorRows& rows, int candidates, const std::string& what) {
+  const int width = rows.left.width();
+  const Plane<std::uint8_t> outside = outside_plane(width, stereo_kernels::kReachBack);
+  Plane<std::uint8_t> found;
+  found.resize(width, 2, 0, 0);
+  stereo_kernels::best_matches({{const_cast<std::uint8_t*>(rows.left.row(0)), rows.left.stride()},
+                                {const_cast<std::uint8_t*>(rows.right.row(0)), rows.right.stride()},
+                                outside.row(0),
+                                width,
+                                candidates,
+                                found.row(0),
+                                found.row(1)});
+  for (int x = 0; x < width; ++x) {
+    int smallest = 255, best = 0;
+    for (int d = 0; d < std::min(candidates, x + 1); ++d) {
+      int bits = 0;
+      for (int p = 0; p < kDescriptorPoints; ++p) {
+        bits +=
+            std::popcount(static_cast<unsigned>(rows.left.row(p)[x] ^ rows.right.row(p)[x - d]));
       }
-      ASSERT_EQ(best[static_cast<std::size_t>(x)], winner) << name;
+      if (bits < smallest) smallest = bits, best = d;
+    }
+    ASSERT_EQ(found.row(1)[x], best) << what << " at " << x << " of " << width;
+    ASSERT_EQ(found.row(0)[x], smallest) << what << " at " << x << " of " << width;
+  }
+}
+
+TEST(BestMatches, HaveTheFewestBitsThatDifferOnEveryInstructionSet) {
+  reference::on_every_target([&](const std::string& name) {
+    for (const int width : {1, 7, 33, 64, 65, 97, 160, 230}) {
+      for (const int candidates : {1, 5, 24, 64, 150, 256}) {
+        expect_best_matches(random_rows(width, false), candidates, name);
+      }
     }
   });
 }
 
-TEST(SmallestCost, OfEqualCostsTheSmallestDisparityWins) {
-  Volume<std::uint8_t> costs;
-  costs.resize(1, 8, 64);
-  for (int d = 0; d < 8; ++d) {
-    std::fill(costs.line(0) + d * costs.stride(), costs.line(0) + d * costs.stride() + 64,
-              std::uint8_t(d == 3 || d == 5 ? 17 : 40));
+TEST(BestMatches, OfEqualOnesTheSmallestDisparityWinsOnEveryInstructionSet) {
+  reference::on_every_target([&](const std::string& name) {
+    for (const int width : {40, 200}) expect_best_matches(random_rows(width, true), 150, name);
+  });
+}
+
+TEST(BestMatches, CountAllBitsDifferingAs255) {
+  DescriptorRows rows = random_rows(70, false);
+  for (int p = 0; p < kDescriptorPoints; ++p) {
+    std::fill(rows.left.row(p), rows.left.row(p) + 70, std::uint8_t{0});
+    std::fill(rows.right.row(p), rows.right.row(p) + 70, std::uint8_t{255});
   }
-  std::array<std::uint8_t, 64> best{};
-  stereo_kernels::smallest_cost(costs.line(0), costs.stride(), 64, 8, best.data());
-  EXPECT_EQ(best[0], 3);
-  EXPECT_EQ(best[63], 3);
+  reference::on_every_target([&](const std::string& name) { expect_best_matches(rows, 20, name); });
+}
+
+TEST(Median, IsThatOf25PixelsOnEveryInstructionSet) {
+  for (const cv::Size size : {cv::Size(160, 12), cv::Size(67, 5), cv::Size(3, 2), cv::Size(1, 1)}) {
+    for (const int levels : {2, 5, 256}) {
+      cv::Mat1b picture(size);
+      Plane<std::uint8_t> values, median;
+      values.resize(size.width, size.height, 2, 0);
+      for (int y = 0; y < size.height; ++y) {
+        for (int x = 0; x < size.width; ++x) {
+          picture(y, x) = static_cast<std::uint8_t>((hash_noise(x, y, 1) & 255) * levels / 256);
+          values.row(y)[x] = picture(y, x);
+        }
+      }
+      const cv::Mat1b expected = reference::median5(picture);
+      reference::on_every_target([&](const std::string& name) {
+        stereo_kernels::median_5x5(values, median);
+        for (int y = 0; y < size.height; ++y) {
+          for (int x = 0; x < size.width; ++x) {
+            ASSERT_EQ(median.row(y)[x], expected(y, x)) << name << " at " << x << ", " << y;
+          }
+        }
+      });
+    }
+  }
 }
 
 TEST(PhaseCosts, AreTheDistancesOf256BitDescriptorsOnEveryInstructionSet) {
