@@ -93,8 +93,10 @@ int evaluate_stereo(const EvalOptions& options) {
     measure_size(folders, size, tables);
   }
   tables.promise.curves.push_back({"promise kept", {0.0, 100.0}, {0.0, 100.0}});
-  fmt::print("\n{}\ndisturbed: the right picture with gain 1.3 and noise of sigma 6\n\n{}",
-             tables.means.text(), tables.calibration.text());
+  fmt::print(
+      "\n{}\npaper (K): the paper setting with the others' disparities\ndisturbed: the right "
+      "picture with gain 1.3 and noise of sigma 6\n\n{}",
+      tables.means.text(), tables.calibration.text());
   write_file(options.out + "/stereo.csv", tables.means.csv());
   write_file(options.out + "/stereo_pairs.csv", tables.pairs.csv());
   write_file(options.out + "/stereo_calibration.csv", tables.calibration.csv());

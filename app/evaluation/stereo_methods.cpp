@@ -45,7 +45,7 @@ StereoMethod opencv(const std::string& name, const cv::Ptr<cv::StereoMatcher>& m
 std::vector<StereoMethod> stereo_methods(int width, int searched) {
   std::vector<StereoMethod> methods = {
       ours("paper", StereoSetting::paper, width, 0),
-      ours("paper, same range", StereoSetting::paper, width, std::min(searched, 256)),
+      ours("paper (K)", StereoSetting::paper, width, std::min(searched, 256)),
       ours("robust", StereoSetting::robust, width, std::min(searched, 256)),
       opencv("StereoBM 9", cv::StereoBM::create(searched, 9)),
   };

@@ -17,8 +17,8 @@ struct StereoMethod {
 
 /// The paper and the robust setting, and OpenCV's StereoBM and StereoSGBM (SGBM, 3WAY, HH; block
 /// 3), which search the first `searched` disparities; "paper" searches the paper's 150 at width
-/// 160, in scale. OpenCV's pictures are continued to the left, so that they search every column,
-/// and get a 5x5 median. Confidence is 1 where a method has none.
+/// 160, in scale, "paper (K)" as many as the others. OpenCV's pictures are continued to the left,
+/// so that they search every column, and get a 5x5 median. Confidence is 1 where a method has none.
 /// @param searched a multiple of 16.
 [[nodiscard]] std::vector<StereoMethod> stereo_methods(int width, int searched);
 
