@@ -14,7 +14,12 @@ struct Kind {
 
 /// What can be measured; each has its own file in app/evaluation/.
 constexpr Kind kKinds[] = {
-    {nullptr, nullptr, nullptr},
+    {"stereo",
+     "Disparities at 160x120 and 320x240, clean and disturbed, beside StereoBM and StereoSGBM.\n"
+     "Folders in or below the given one that hold imL.png, imR.png, groundtruth.png (4 per px),\n"
+     "nonocc.png (Middlebury 2003); view1.png, view5.png, disp1.png, disp5.png (3 per px; 2006);\n"
+     "im0.png, im1.png, disp0.pfm (2014); or left.png, right.png, disparity.pfm.",
+     evaluate_stereo},
 };
 
 }  // namespace

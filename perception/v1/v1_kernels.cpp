@@ -118,10 +118,11 @@ HWY_INLINE void Finish(V32 even_sum, V32 odd_sum, int x, const Responses& to) {
 }
 
 // What is summed up at a time, rows x vectors, even and odd, fits into 32 or 16 registers.
-constexpr int kVectors = 4;
 #if HWY_TARGET <= HWY_AVX3
+constexpr int kVectors = 4;
 constexpr int kRowsInRegisters = 2;
 #else
+constexpr int kVectors = 2;
 constexpr int kRowsInRegisters = 1;
 #endif
 
@@ -141,13 +142,19 @@ HWY_INLINE void SumSlot(const ColumnJob& job, std::size_t slot, std::size_t firs
   const std::ptrdiff_t* HWY_RESTRICT offsets = job.offsets.data();
   Sums<kRows, kCount> s = sums;
   for (const ColumnInput& input : job.slots[slot]) {
+    const std::int32_t* even_taps[kRows];
+    const std::int32_t* odd_taps[kRows];
+    for (int r = 0; r < kRows; ++r) {
+      even_taps[r] = input.even_taps[first + static_cast<std::size_t>(r)];
+      odd_taps[r] = input.odd_taps[first + static_cast<std::size_t>(r)];
+    }
     for (std::size_t k = 0; k < taps; ++k) {
       const std::int32_t* HWY_RESTRICT from = input.rows + offsets[k] + x;
       V32 even_tap[kRows], odd_tap[kRows];
 #pragma GCC unroll 2
       for (int r = 0; r < kRows; ++r) {
-        even_tap[r] = hn::Set(d, input.even_taps[first + static_cast<std::size_t>(r)][k]);
-        odd_tap[r] = hn::Set(d, input.odd_taps[first + static_cast<std::size_t>(r)][k]);
+        even_tap[r] = hn::Set(d, even_taps[r][k]);
+        odd_tap[r] = hn::Set(d, odd_taps[r][k]);
       }
 #pragma GCC unroll 5
       for (int v = 0; v < kCount; ++v) {
@@ -217,7 +224,9 @@ HWY_INLINE void FilterBlocks(const ColumnJob& job, std::size_t first, int width)
   for (; x + (kVectors - 1) * step < width; x += kVectors * step) {
     FilterBlock<kRows, kVectors>(job, first, x);
   }
-  for (; x + step < width; x += 2 * step) FilterBlock<kRows, 2>(job, first, x);
+  if constexpr (kVectors > 2) {
+    for (; x + step < width; x += 2 * step) FilterBlock<kRows, 2>(job, first, x);
+  }
   for (; x < width; x += step) FilterBlock<kRows, 1>(job, first, x);
 }
 

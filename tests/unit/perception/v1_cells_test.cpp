@@ -97,6 +97,27 @@ TEST(V1Cells, WholeGreysInSixteenthsGiveTheBitsOfEightBits) {
                std::invalid_argument);
 }
 
+TEST(FilterBank, EveryRowFilterIsEvenOrOddForAnySettings) {
+  for (const double wavelength_px : {3.0, 4.0, 5.7, 12.0}) {
+    for (const double sigma_factor : {0.2, 0.37, 0.56, 1.0}) {
+      for (const double gamma : {0.25, 0.5, 1.0, 2.0}) {
+        for (const EvenMean mean : {EvenMean::flat, EvenMean::envelope}) {
+          const FilterBank bank = make_filter_bank({wavelength_px, sigma_factor, gamma, mean});
+          for (const FilterBank::Pair& pair : bank.pairs) {
+            for (const FilterBank::Product& product : pair.products) {
+              const std::vector<std::int16_t> turned(product.row.rbegin(), product.row.rend());
+              std::vector<std::int16_t> negative = turned;
+              for (std::int16_t& tap : negative) tap = static_cast<std::int16_t>(-tap);
+              EXPECT_TRUE(product.row == turned || product.row == negative)
+                  << wavelength_px << " " << sigma_factor << " " << gamma;
+            }
+          }
+        }
+      }
+    }
+  }
+}
+
 TEST(V1Cells, RespondsAsTheModelInDoublePrecision) {
   const cv::Mat1b picture = reference::texture({80, 60}, 3);
   for (const V1Settings& settings : all_settings()) {
