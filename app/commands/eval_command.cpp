@@ -14,7 +14,11 @@ struct Kind {
 
 /// What can be measured; each has its own file in app/evaluation/.
 constexpr Kind kKinds[] = {
-    {nullptr, nullptr, nullptr},
+    {"keypoints",
+     "repeatability of keypoints in pictures of flat scenes; ORB, BRISK, AKAZE and SIFT beside.\n"
+     "Folder, or its subfolders: img1.ppm, img2.ppm, H1to2p, ... (Oxford)\n"
+     "or 1.ppm, 2.ppm, H_1_2, ... (HPatches); also pgm, png, jpg, bmp",
+     evaluate_keypoints},
 };
 
 }  // namespace
