@@ -22,7 +22,7 @@ class KeypointFinder {
   /// @param grey any size; empty throws std::invalid_argument.
   /// @param out strongest first; of equally strong ones the finer, then the upper, then the left
   ///        one first. Its old content is lost, its memory used again: in the steady state
-  ///        nothing is allocated.
+  ///        nothing is allocated here.
   void find(const cv::Mat1b& grey, std::vector<Keypoint>& out);
   [[nodiscard]] std::vector<Keypoint> find(const cv::Mat1b& grey);
 
