@@ -20,6 +20,11 @@ constexpr Kind kKinds[] = {
      "nonocc.png (Middlebury 2003); view1.png, view5.png, disp1.png, disp5.png (3 per px; 2006);\n"
      "im0.png, im1.png, disp0.pfm (2014); or left.png, right.png, disparity.pfm.",
      evaluate_stereo},
+    {"keypoints",
+     "repeatability of keypoints in pictures of flat scenes; ORB, BRISK, AKAZE and SIFT beside.\n"
+     "Folder, or its subfolders: img1.ppm, img2.ppm, H1to2p, ... (Oxford)\n"
+     "or 1.ppm, 2.ppm, H_1_2, ... (HPatches); also pgm, png, jpg, bmp",
+     evaluate_keypoints},
 };
 
 }  // namespace

@@ -2,112 +2,117 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <opencv2/imgproc.hpp>
 #include <stdexcept>
 
 #include "config/user_error.hpp"
-#include "perception/descriptor/dense_descriptor.hpp"
 
 namespace striate {
 namespace {
 
-double wavelength_of(const KeypointSettings& s) {
-  const double wavelength = s.wavelength_px / (s.halve ? 2.0 : 1.0);
-  if (!(wavelength >= 3.0 && wavelength <= 12.0)) {
+/// Of the finest scale, in pixels of the level that is worked on.
+double first_wavelength(const KeypointSettings& s) {
+  const double wavelength_px = s.wavelength_px / (s.halve ? 2.0 : 1.0);
+  const double largest_px = s.scales > 1 ? 12.0 / std::numbers::sqrt2 : 12.0;
+  if (!(wavelength_px >= 3.0 && wavelength_px <= largest_px)) {
     throw UserError(
-        "keypoints: the wavelength on the picture that is worked on must be 3 .. 12 px");
+        "keypoints: the wavelength on the picture that is worked on must be 3 .. 12 px "
+        "(.. 8.4 px with several scales)");
   }
   if (s.most < 1) throw UserError("keypoints: 'most' must be at least 1");
-  return wavelength;
+  if (s.scales < 1 || s.scales > 13) throw UserError("keypoints: 'scales' must be 1 .. 13");
+  return wavelength_px;
 }
 
-V1Settings v1_settings(double wavelength_px) {
-  V1Settings v1;
-  v1.wavelength_px = wavelength_px;
-  return v1;
+/// Level of the pyramid of a scale: two scales a level.
+int level_of(const KeypointSettings& s, int scale) {
+  return scale / 2 + (s.halve ? 1 : 0);
 }
 
-/// Distance of a parabola's peak from its middle one of three points, -0.5..0.5.
-double peak(double before, double at, double after) {
-  const double curvature = before - 2.0 * at + after;
-  return curvature < 0.0 ? std::clamp(0.5 * (before - after) / curvature, -0.5, 0.5) : 0.0;
+void halve(const cv::Mat1b& grey, cv::Mat1b& out) {
+  // An odd last row or column is left out: pixels must stay where they are.
+  const cv::Size half(std::max(1, grey.cols / 2), std::max(1, grey.rows / 2));
+  const cv::Rect even(0, 0, std::min(grey.cols, 2 * half.width),
+                      std::min(grey.rows, 2 * half.height));
+  cv::resize(grey(even), out, half, 0, 0, cv::INTER_AREA);
 }
 
-bool strictly_highest(const Plane<float>& plane, int y, int x) {
-  const float here = plane.row(y)[x];
-  for (int v = -1; v <= 1; ++v) {
-    for (int u = -1; u <= 1; ++u) {
-      if ((u != 0 || v != 0) && plane.row(y + v)[x + u] >= here) return false;
-    }
-  }
-  return true;
+bool stronger(const Candidate& a, const Candidate& b) {
+  if (a.response != b.response) return a.response > b.response;
+  if (a.scale != b.scale) return a.scale < b.scale;
+  return a.v_px != b.v_px ? a.v_px < b.v_px : a.u_px < b.u_px;
 }
 
 }  // namespace
 
-KeypointFinder::KeypointFinder(const KeypointSettings& settings)
-    : settings_(settings),
-      scale_(settings.halve ? 2.0 : 1.0),
-      wavelength_px_(wavelength_of(settings)),
-      geometry_(end_stopped_geometry(wavelength_px_, settings.inhibition, settings.radial_factor)),
-      cells_(v1_settings(wavelength_px_)) {}
-
-/// Strict maxima in 3x3, in pixels of the picture that is worked on.
-void KeypointFinder::collect(std::vector<Keypoint>& found) const {
-  const int border = static_cast<int>(std::ceil(wavelength_px_));
-  float largest = 0.0F;
-  for (int y = 0; y < response_.height(); ++y) {
-    largest = std::max(largest,
-                       *std::max_element(response_.row(y), response_.row(y) + response_.width()));
+KeypointFinder::KeypointFinder(const KeypointSettings& settings) : settings_(settings) {
+  const double first_px = first_wavelength(settings);
+  for (int k = 0; k < settings.scales; ++k) {
+    scales_.emplace_back(k, first_px * (k % 2 == 0 ? 1.0 : std::numbers::sqrt2), settings);
   }
-  const float least = largest * static_cast<float>(settings_.threshold);
-  for (int y = border; y < response_.height() - border; ++y) {
-    const float* row = response_.row(y);
-    for (int x = border; x < response_.width() - border; ++x) {
-      if (row[x] <= least || !strictly_highest(response_, y, x)) continue;
-      Keypoint point;
-      point.u_px = x + peak(row[x - 1], row[x], row[x + 1]);
-      point.v_px = y + peak(response_.row(y - 1)[x], row[x], response_.row(y + 1)[x]);
-      point.response = row[x];
-      found.push_back(point);
-    }
-  }
+  pyramid_.resize(static_cast<std::size_t>(level_of(settings, settings.scales - 1)) + 1);
 }
 
-void KeypointFinder::describe(std::vector<Keypoint>& found) const {
-  const auto points = descriptor_points(wavelength_px_, 1.0);
-  for (Keypoint& point : found) {
-    point.descriptor = describe_pixel(responses_, points, static_cast<int>(std::lround(point.u_px)),
-                                      static_cast<int>(std::lround(point.v_px)));
-    // A pixel of the halved picture is the mean of 2x2: its centre lies between them.
-    point.u_px = (point.u_px + 0.5) * scale_ - 0.5;
-    point.v_px = (point.v_px + 0.5) * scale_ - 0.5;
-    point.wavelength_px = settings_.wavelength_px;
-    point.response /= responses_.gain;
+/// Pixels of the given picture in a pixel of the level of a scale.
+double KeypointFinder::level_px(int scale) const {
+  return std::ldexp(1.0, level_of(settings_, scale));
+}
+
+void KeypointFinder::build_pyramid(const cv::Mat1b& grey) {
+  pyramid_[0] = grey;
+  for (std::size_t k = 1; k < pyramid_.size(); ++k) halve(pyramid_[k - 1], pyramid_[k]);
+}
+
+/// Of all candidates the strongest that are apart.
+void KeypointFinder::choose(cv::Size picture) {
+  const auto most = static_cast<std::size_t>(settings_.most);
+  if (scales_.size() == 1 || settings_.apart <= 0.0) {
+    const std::size_t kept = std::min(most, candidates_.size());
+    std::partial_sort(candidates_.begin(), candidates_.begin() + static_cast<std::ptrdiff_t>(kept),
+                      candidates_.end(), stronger);
+    candidates_.resize(kept);
+    return;
+  }
+  std::sort(candidates_.begin(), candidates_.end(), stronger);
+  const double radius_px = settings_.apart * settings_.wavelength_px;
+  keep_apart_.begin(picture.width, picture.height, radius_px, settings_.scales);
+  std::size_t kept = 0;
+  for (const Candidate& candidate : candidates_) {
+    const double size_px = level_px(candidate.scale);
+    const Place place{(candidate.u_px + 0.5) * size_px, (candidate.v_px + 0.5) * size_px,
+                      radius_px * std::pow(2.0, 0.5 * candidate.scale)};
+    if (kept < most && keep_apart_.keep(place, candidate.scale)) candidates_[kept++] = candidate;
+  }
+  candidates_.resize(kept);
+}
+
+void KeypointFinder::find(const cv::Mat1b& grey, std::vector<Keypoint>& out) {
+  if (grey.empty()) throw std::invalid_argument("KeypointFinder: the picture is empty");
+  build_pyramid(grey);
+  candidates_.clear();
+  for (int k = 0; k < settings_.scales; ++k) {
+    scales_[static_cast<std::size_t>(k)].find(
+        pyramid_[static_cast<std::size_t>(level_of(settings_, k))], candidates_);
+  }
+  choose(grey.size());
+  pyramid_[0].release();
+  out.clear();
+  for (const Candidate& candidate : candidates_) {
+    // A pixel of a halved picture is the mean of 2x2: its centre lies between them.
+    const double size_px = level_px(candidate.scale);
+    Keypoint& point = out.emplace_back();
+    point.u_px = (candidate.u_px + 0.5) * size_px - 0.5;
+    point.v_px = (candidate.v_px + 0.5) * size_px - 0.5;
+    point.wavelength_px = settings_.wavelength_px * std::pow(2.0, 0.5 * candidate.scale);
+    point.response = candidate.response;
+    point.descriptor = scales_[static_cast<std::size_t>(candidate.scale)].describe(candidate);
   }
 }
 
 std::vector<Keypoint> KeypointFinder::find(const cv::Mat1b& grey) {
-  if (grey.empty()) throw std::invalid_argument("KeypointFinder: the picture is empty");
-  cv::Mat1b picture = grey;
-  if (settings_.halve) {
-    // An odd last row or column is left out: pixels must stay where they are.
-    const cv::Size half(std::max(1, grey.cols / 2), std::max(1, grey.rows / 2));
-    const cv::Rect even(0, 0, std::min(grey.cols, 2 * half.width),
-                        std::min(grey.rows, 2 * half.height));
-    cv::resize(grey(even), picture, half, 0, 0, cv::INTER_AREA);
-  }
-  const int reach = std::max(geometry_.reach, descriptor_reach(wavelength_px_, 1.0));
-  cells_.respond(picture, reach, false, responses_);
-  complex_planes(responses_, complex_);
-  end_stopped_response(complex_, geometry_, response_);
   std::vector<Keypoint> found;
-  collect(found);
-  std::ranges::stable_sort(found, std::ranges::greater{}, &Keypoint::response);
-  if (found.size() > static_cast<std::size_t>(settings_.most)) {
-    found.resize(static_cast<std::size_t>(settings_.most));
-  }
-  describe(found);
+  find(grey, found);
   return found;
 }
 

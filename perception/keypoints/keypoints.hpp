@@ -3,37 +3,39 @@
 #include <opencv2/core/mat.hpp>
 #include <vector>
 
-#include "perception/keypoints/end_stopped.hpp"
+#include "perception/keypoints/keep_apart.hpp"
+#include "perception/keypoints/keypoint_scale.hpp"
 #include "perception/keypoints/keypoint_settings.hpp"
 #include "perception/percept.hpp"
-#include "perception/v1/v1_cells.hpp"
 
 namespace striate {
 
 /// End-stopped cells with tangential and radial inhibition (Rodrigues and du Buf 2006, 2009;
-/// Terzic, Rodrigues and du Buf 2013): corners, junctions, line ends and blobs, one scale. Each
-/// keypoint carries the 256-bit descriptor of its nearest pixel. Keeps its buffers.
+/// Terzic, Rodrigues and du Buf 2013): corners, junctions, line ends and blobs, at one scale or
+/// many, on a pyramid of which each level serves two wavelengths. Each keypoint carries the
+/// 256-bit descriptor of its nearest pixel. Keeps its buffers.
 class KeypointFinder {
  public:
   /// Throws UserError for settings out of range.
   explicit KeypointFinder(const KeypointSettings& settings);
 
   /// @param grey any size; empty throws std::invalid_argument.
-  /// @return strongest first; of equally strong ones the upper, then the left one first.
+  /// @param out strongest first; of equally strong ones the finer, then the upper, then the left
+  ///        one first. Its old content is lost, its memory used again: in the steady state
+  ///        nothing is allocated here.
+  void find(const cv::Mat1b& grey, std::vector<Keypoint>& out);
   [[nodiscard]] std::vector<Keypoint> find(const cv::Mat1b& grey);
 
  private:
-  void collect(std::vector<Keypoint>& found) const;
-  void describe(std::vector<Keypoint>& found) const;
+  void build_pyramid(const cv::Mat1b& grey);
+  void choose(cv::Size picture);
+  [[nodiscard]] double level_px(int scale) const;
 
   KeypointSettings settings_;
-  double scale_;  ///< of the picture that is worked on: 1 or 2 pixels of the given one
-  double wavelength_px_;
-  EndStoppedGeometry geometry_;
-  V1Cells cells_;
-  V1Responses responses_;
-  ComplexPlanes complex_;
-  Plane<float> response_;
+  std::vector<KeypointScale> scales_;
+  std::vector<cv::Mat1b> pyramid_;  ///< level 0 is the given picture; empty below the first used
+  std::vector<Candidate> candidates_;
+  KeepApart keep_apart_;
 };
 
 [[nodiscard]] std::vector<Keypoint> find_keypoints(const cv::Mat1b& grey,

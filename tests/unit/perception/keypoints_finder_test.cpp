@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
+#include <set>
 
 #include "config/user_error.hpp"
 #include "perception/descriptor/dense_descriptor.hpp"
@@ -72,65 +72,126 @@ TEST(KeypointFinder, ComesStrongestFirstAndKeepsOnlyTheMost) {
   }
 }
 
-/// K by the formula, in double precision, with the samples' own weights.
-double plain_response(const ComplexPlanes& complex, double wavelength_px, int u, int v) {
-  auto at = [&](std::size_t i, double x, double y) {
-    const int left = static_cast<int>(std::floor(x)), top = static_cast<int>(std::floor(y));
-    const double a = x - left, b = y - top;
-    return (1 - b) * ((1 - a) * complex[i].row(top)[left] + a * complex[i].row(top)[left + 1]) +
-           b * ((1 - a) * complex[i].row(top + 1)[left] + a * complex[i].row(top + 1)[left + 1]);
-  };
-  auto positive = [](double value) { return std::max(0.0, value); };
-  const double d = 0.6 * wavelength_px;
-  double single = 0.0, twice = 0.0, inhibition = 0.0;
-  for (std::size_t i = 0; i < 8; ++i) {
-    const double c = std::cos(static_cast<double>(i) * std::numbers::pi / 8.0);
-    const double s = std::sin(static_cast<double>(i) * std::numbers::pi / 8.0);
-    const double here = at(i, u, v);
-    single += positive(at(i, u + d * s, v - d * c) - at(i, u - d * s, v + d * c));
-    twice += positive(here - 0.5 * at(i, u + 2 * d * s, v - 2 * d * c) -
-                      0.5 * at(i, u - 2 * d * s, v + 2 * d * c));
-    for (const double sign : {-1.0, 1.0}) {
-      inhibition += positive(at(i, u + sign * d * c, v + sign * d * s) - here);
-      inhibition +=
-          positive(here - 4.0 * at((i + 4) % 8, u + sign * d / 2 * c, v + sign * d / 2 * s));
-    }
-  }
-  return std::max(single, twice) - inhibition;
+/// A square of `side_px`, odd, in a blank picture of 320x320, centred at (155, 155).
+cv::Mat1b square(int side_px) {
+  cv::Mat1b picture(320, 320, std::uint8_t{60});
+  picture(cv::Rect(155 - side_px / 2, 155 - side_px / 2, side_px, side_px)).setTo(180);
+  return picture;
 }
 
-TEST(EndStopped, AreTheFormulaAndTheSameBitsOnEveryInstructionSet) {
-  V1Cells cells({});
-  const EndStoppedGeometry geometry = end_stopped_geometry(4.0, 1.0, 4.0);
-  V1Responses responses;
-  cells.respond(reference::texture({61, 23}, 3), geometry.reach, false, responses);
-  ComplexPlanes complex;
-  complex_planes(responses, complex);
-  Plane<float> first;
-  bool is_first = true;
-  reference::on_every_target([&](const std::string& name) {
-    Plane<float> out;
-    end_stopped_response(complex, geometry, out);
-    for (int y = 0; y < 23; ++y) {
-      for (int x = 0; x < 61; ++x) {
-        if (is_first) {
-          const double exact = plain_response(complex, 4.0, x, y);
-          ASSERT_NEAR(out.row(y)[x], exact, 0.002 * std::abs(exact) + 20.0);
-        } else {
-          ASSERT_EQ(out.row(y)[x], first.row(y)[x]) << name;
-        }
+KeypointSettings many_scales() {
+  KeypointSettings settings;
+  settings.wavelength_px = 4.0;
+  settings.halve = false;
+  settings.scales = 9;
+  return settings;
+}
+
+TEST(KeypointFinder, TheWavelengthFollowsTheSizeOfABlob) {
+  KeypointSettings settings = many_scales();
+  settings.fine_first = 0.0;
+  double last_px = 0.0;
+  for (const int side_px : {5, 9, 17}) {
+    double strongest = 0.0, wavelength_px = 0.0;
+    for (const Keypoint& point : find_keypoints(square(side_px), settings)) {
+      if (std::hypot(point.u_px - 155, point.v_px - 155) > 0.4 * side_px) continue;
+      if (point.response > strongest) {
+        strongest = point.response;
+        wavelength_px = point.wavelength_px;
       }
     }
-    if (is_first) first = std::move(out);
-    is_first = false;
+    EXPECT_GT(wavelength_px, last_px) << "a square of " << side_px << " px";
+    EXPECT_GT(wavelength_px, 1.0 * side_px);
+    EXPECT_LT(wavelength_px, 4.0 * side_px);
+    last_px = wavelength_px;
+  }
+}
+
+TEST(KeypointFinder, WavelengthsAreTwoPerOctaveInPixelsOfTheGivenPicture) {
+  KeypointSettings settings = many_scales();
+  settings.fine_first = 0.0;
+  const auto found = find_keypoints(reference::texture({320, 240}, 4), settings);
+  std::set<int> steps;
+  for (const Keypoint& point : found) {
+    const double step = 2.0 * std::log2(point.wavelength_px / 4.0);
+    EXPECT_NEAR(step, std::round(step), 1e-9);
+    steps.insert(static_cast<int>(std::lround(step)));
+    EXPECT_GE(point.u_px, 3.5);
+    EXPECT_LE(point.u_px, 320 - 4.5);
+    EXPECT_GE(point.v_px, 3.5);
+    EXPECT_LE(point.v_px, 240 - 4.5);
+  }
+  EXPECT_TRUE(steps.contains(0));
+  EXPECT_TRUE(steps.contains(5));
+  EXPECT_LE(*steps.rbegin(), 8);
+}
+
+TEST(KeypointFinder, KeypointsOfNeighbouringScalesAreApart) {
+  KeypointSettings settings = many_scales();
+  const auto found = find_keypoints(reference::texture({200, 160}, 7), settings);
+  ASSERT_GT(found.size(), 100U);
+  for (std::size_t a = 0; a < found.size(); ++a) {
+    for (std::size_t b = 0; b < a; ++b) {
+      const double larger_px = std::max(found[a].wavelength_px, found[b].wavelength_px);
+      const double smaller_px = std::min(found[a].wavelength_px, found[b].wavelength_px);
+      if (larger_px > 2.01 * smaller_px) continue;
+      EXPECT_GE(std::hypot(found[a].u_px - found[b].u_px, found[a].v_px - found[b].v_px),
+                settings.apart * larger_px - 1e-9);
+    }
+  }
+}
+
+TEST(KeypointFinder, ACornerIsFoundWithinAPixelOfItselfInAPictureOfTwiceTheSize) {
+  cv::Mat1b small(120, 120, std::uint8_t{60}), large(240, 240, std::uint8_t{60});
+  small(cv::Rect(40, 40, 40, 40)).setTo(180);
+  large(cv::Rect(80, 80, 80, 80)).setTo(180);
+  KeypointSettings once, twice;
+  once.wavelength_px = 4.0;
+  once.halve = false;
+  const auto in_small = find_keypoints(small, once);
+  const auto in_large = find_keypoints(large, twice);
+  ASSERT_EQ(in_small.size(), in_large.size());
+  for (const Keypoint& point : in_small) {
+    EXPECT_LT(nearest_px(in_large, 2.0 * point.u_px + 0.5, 2.0 * point.v_px + 0.5), 0.01);
+  }
+}
+
+TEST(KeypointFinder, UsesItsBuffersAgainForAnotherPicture) {
+  KeypointFinder finder(many_scales());
+  std::vector<Keypoint> out;
+  finder.find(reference::texture({200, 160}, 1), out);
+  finder.find(cv::Mat1b(50, 60, std::uint8_t{9}), out);
+  EXPECT_TRUE(out.empty());
+  finder.find(reference::texture({200, 160}, 2), out);
+  const auto fresh = find_keypoints(reference::texture({200, 160}, 2), many_scales());
+  ASSERT_EQ(out.size(), fresh.size());
+  for (std::size_t k = 0; k < out.size(); ++k) {
+    EXPECT_EQ(out[k].u_px, fresh[k].u_px);
+    EXPECT_EQ(out[k].descriptor, fresh[k].descriptor);
+  }
+}
+
+TEST(KeypointFinder, GivesTheSameOnEveryInstructionSet) {
+  const cv::Mat1b picture = reference::texture({131, 97}, 8);
+  std::vector<Keypoint> first;
+  reference::on_every_target([&](const std::string& name) {
+    const auto found = find_keypoints(picture, many_scales());
+    if (first.empty()) first = found;
+    ASSERT_EQ(found.size(), first.size()) << name;
+    for (std::size_t k = 0; k < found.size(); ++k) {
+      ASSERT_EQ(found[k].u_px, first[k].u_px) << name;
+      ASSERT_EQ(found[k].response, first[k].response) << name;
+      ASSERT_EQ(found[k].descriptor, first[k].descriptor) << name;
+    }
   });
+  EXPECT_GT(first.size(), 50U);
 }
 
 TEST(KeypointFinder, TakesPicturesOfAnySizeAndFindsNothingInBlankOnes) {
-  for (const bool halve : {false, true}) {
-    KeypointSettings settings;
-    settings.halve = halve;
-    for (const cv::Size size : {cv::Size(1, 1), cv::Size(3, 50), cv::Size(97, 61)}) {
+  KeypointSettings full = many_scales(), halved;
+  for (const KeypointSettings& settings : {full, halved}) {
+    for (const cv::Size size :
+         {cv::Size(1, 1), cv::Size(2, 2), cv::Size(3, 50), cv::Size(97, 61)}) {
       EXPECT_TRUE(find_keypoints(cv::Mat1b(size, std::uint8_t{0}), settings).empty());
       EXPECT_TRUE(find_keypoints(cv::Mat1b(size, std::uint8_t{255}), settings).empty());
       for (const Keypoint& point : find_keypoints(reference::texture(size, 1), settings)) {
@@ -145,6 +206,11 @@ TEST(KeypointFinder, TakesPicturesOfAnySizeAndFindsNothingInBlankOnes) {
 TEST(KeypointFinder, RefusesAWavelengthThatTheFiltersCannotHave) {
   KeypointSettings settings;
   settings.wavelength_px = 4.0;  // 2 px on the halved picture
+  EXPECT_THROW(KeypointFinder{settings}, UserError);
+  settings.wavelength_px = 10.0;
+  settings.halve = false;
+  EXPECT_NO_THROW(KeypointFinder{settings});
+  settings.scales = 2;  // 14 px on the same level
   EXPECT_THROW(KeypointFinder{settings}, UserError);
 }
 

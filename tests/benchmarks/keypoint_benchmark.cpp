@@ -1,0 +1,124 @@
+#include <benchmark/benchmark.h>
+#include <fmt/format.h>
+#include <hwy/targets.h>
+
+#include <cstdlib>
+#include <map>
+#include <opencv2/features2d.hpp>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "perception/keypoints/keypoints.hpp"
+#include "tests/reference/test_pictures.hpp"
+
+/// keypoint_benchmark [PICTURE]: keypoints with descriptors at 640x480 on one core; without a
+/// picture on a texture made by rule. Methods are run in turns; what counts are the medians of CPU
+/// time and their ratios within one run. STRIATE_TARGETS (a number, see hwy/targets.h) restricts
+/// the instruction sets of our own code.
+namespace striate {
+namespace {
+
+const char* const kYardstick = "ORB, 500";
+
+void ours(benchmark::State& state, const cv::Mat1b& picture, const KeypointSettings& settings) {
+  KeypointFinder finder(settings);
+  std::vector<Keypoint> found;
+  for (auto _ : state) {
+    finder.find(picture, found);
+    benchmark::DoNotOptimize(found.data());
+  }
+  state.counters["found"] = static_cast<double>(found.size());
+}
+
+void opencv(benchmark::State& state, const cv::Mat1b& picture,
+            const cv::Ptr<cv::Feature2D>& method) {
+  std::vector<cv::KeyPoint> found;
+  cv::Mat descriptors;
+  for (auto _ : state) {
+    method->detectAndCompute(picture, cv::noArray(), found, descriptors);
+    benchmark::DoNotOptimize(descriptors.data);
+  }
+  state.counters["found"] = static_cast<double>(found.size());
+}
+
+/// Also gathers the medians.
+class Medians : public benchmark::ConsoleReporter {
+ public:
+  void ReportRuns(const std::vector<Run>& runs) override {
+    ConsoleReporter::ReportRuns(runs);
+    for (const Run& run : runs) {
+      if (run.aggregate_name != "median") continue;
+      names_.push_back(run.run_name.function_name);
+      cpu_ms_[names_.back()] = run.GetAdjustedCPUTime();
+    }
+  }
+  void print_ratios() const {
+    if (!cpu_ms_.contains(kYardstick)) return;
+    fmt::print("\n{:28} {:>10} {:>8}\n", "median CPU time", "ms", "ratio");
+    for (const std::string& name : names_) {
+      const double ms = cpu_ms_.at(name);
+      fmt::print("{:28} {:10.2f} {:8.2f}\n", name, ms, ms / cpu_ms_.at(kYardstick));
+    }
+  }
+
+ private:
+  std::vector<std::string> names_;
+  std::map<std::string, double> cpu_ms_;
+};
+
+void register_all(const cv::Mat1b& picture) {
+  auto add = [&](const char* name, const auto& function, const auto& what) {
+    benchmark::RegisterBenchmark(name, [=](auto& state) {
+      function(state, picture, what);
+    })->Unit(benchmark::kMillisecond);
+  };
+  KeypointSettings robot, many, fine, scales;
+  robot.most = fine.most = 500;
+  fine.wavelength_px = scales.wavelength_px = 4.0;
+  fine.halve = scales.halve = false;
+  scales.scales = 9;
+  add("lambda 8 halved, 500", ours, robot);
+  add("lambda 8 halved, 1000", ours, many);
+  add("lambda 4, 500", ours, fine);
+  add("lambda 4 .. 64, 1000", ours, scales);
+  add(kYardstick, opencv, cv::Ptr<cv::Feature2D>(cv::ORB::create(500)));
+  add("BRISK, 3 octaves", opencv, cv::Ptr<cv::Feature2D>(cv::BRISK::create(30, 3)));
+}
+
+cv::Mat1b picture_of(int argc, char** argv) {
+  cv::Mat1b picture = reference::texture({640, 480}, 1);
+  if (argc > 1) {
+    picture = cv::imread(argv[1], cv::IMREAD_GRAYSCALE);
+    if (!picture.empty()) cv::resize(picture, picture, {640, 480}, 0, 0, cv::INTER_AREA);
+  }
+  return picture;
+}
+
+}  // namespace
+}  // namespace striate
+
+int main(int argc, char** argv) {
+  cv::setNumThreads(1);
+  std::vector<std::string> arguments(argv, argv + argc);
+  // In turns, so that a machine that slows down slows all methods; flags of one's own come later.
+  arguments.insert(arguments.begin() + 1,
+                   {"--benchmark_enable_random_interleaving=true", "--benchmark_repetitions=9",
+                    "--benchmark_min_time=0.05", "--benchmark_display_aggregates_only=true"});
+  std::vector<char*> pointers;
+  for (std::string& argument : arguments) pointers.push_back(argument.data());
+  int count = static_cast<int>(pointers.size());
+  benchmark::Initialize(&count, pointers.data());
+  if (const char* targets = std::getenv("STRIATE_TARGETS")) {
+    hwy::SetSupportedTargetsForTest(std::atoll(targets));
+  }
+  const cv::Mat1b picture = striate::picture_of(count, pointers.data());
+  if (count > 2 || picture.empty()) {
+    fmt::print(stderr, "keypoint_benchmark [PICTURE]: one picture that can be read\n");
+    return 2;
+  }
+  striate::register_all(picture);
+  striate::Medians medians;
+  benchmark::RunSpecifiedBenchmarks(&medians);
+  medians.print_ratios();
+  return 0;
+}
