@@ -14,7 +14,10 @@ struct Kind {
 
 /// What can be measured; each has its own file in app/evaluation/.
 constexpr Kind kKinds[] = {
-    {nullptr, nullptr, nullptr},
+    {"patches",
+     "ROC of descriptors on true and false patch pairs. Folder: sequences with img1.* and H1to2p\n"
+     "(Oxford) or 1.* and H_1_2 (HPatches), or info.txt, m50_*.txt and mosaics (Brown/Winder)",
+     evaluate_patches},
 };
 
 }  // namespace
