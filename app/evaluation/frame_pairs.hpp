@@ -12,9 +12,9 @@ namespace striate {
 /// How well a frame that was found in the second picture must agree with the one that the
 /// homography predicts.
 struct FrameTolerance {
-  double position_sizes = 0.4;  ///< distance over the predicted frame's diameter
-  double scale_octaves = 0.4;
-  double angle_deg = 25.0;
+  double position_sizes = 0.5;  ///< distance over the predicted frame's diameter
+  double scale_octaves = 0.5;
+  double angle_deg = 30.0;
 };
 
 /// The same SIFT frame in two pictures.

@@ -79,10 +79,10 @@ cv::Mat describe_sift(const cv::Mat1b& mosaic, int patches, double size_px) {
 }  // namespace
 
 std::vector<PatchMethod> opencv_patch_methods() {
-  return {{"ORB", {24, 31, 40, 50, 62}, describe_orb},
-          {"BRISK", {4, 6, 8, 10, 13, 16}, describe_brisk},
-          {"AKAZE", {4.8, 5.7, 6.8, 8.1}, describe_akaze},
-          {"SIFT", {4, 5, 6.4, 8, 10}, describe_sift}};
+  return {{"ORB", {40, 50, 62}, describe_orb},
+          {"BRISK", {8, 13, 16}, describe_brisk},
+          {"AKAZE", {4.8, 5.7}, describe_akaze},
+          {"SIFT", {6.4, 8, 10}, describe_sift}};
 }
 
 std::vector<float> pair_distances(const PatchSet& set, const PatchMethod& method, double size_px) {

@@ -22,9 +22,7 @@ PatchMethod ours(const char* name, StriateOrientation orientation) {
   StriateSettings settings;
   settings.orientation = orientation;
   auto describer = std::make_shared<StriateDescriber>(settings);
-  return {name,
-          {6.4, 7.2, 8.0, 9.0},
-          [describer](const cv::Mat1b& mosaic, int patches, double size_px) {
+  return {name, {7.2, 8.0, 9.0}, [describer](const cv::Mat1b& mosaic, int patches, double size_px) {
             cv::Mat1b rows(patches, kBytes);
             std::vector<Descriptor> one;
             for (int k = 0; k < patches; ++k) {
@@ -64,7 +62,7 @@ cv::Mat describe_as_the_paper(const cv::Mat1b& mosaic, int patches, double wavel
 std::vector<PatchMethod> striate_patch_methods() {
   return {ours("Striate", StriateOrientation::given),
           ours("Striate, own angle", StriateOrientation::dominant),
-          {"the paper's", {8.0, 16.0, 20.0, 24.0}, describe_as_the_paper}};
+          {"the paper's", {8.0, 16.0, 20.0}, describe_as_the_paper}};
 }
 
 }  // namespace striate
