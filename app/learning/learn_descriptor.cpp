@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t kPairsOfAPicture = 150;
 constexpr std::size_t kLeastPairs = 100;
-/// Looser than what is evaluated: hard pairs teach more.
+/// About what is evaluated: hard pairs teach more than close ones.
 constexpr FrameTolerance kTolerance{0.5, 0.45, 30.0};
 
 PatchSet training_patches(const LearnOptions& options) {

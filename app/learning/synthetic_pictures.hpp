@@ -17,7 +17,7 @@ struct SecondView {
   cv::Matx33d homography;  ///< from the first picture to this one
 };
 
-/// Another viewpoint (turn, zoom, tilt), then some of: blur, exposure, gamma, noise, JPEG.
+/// Another viewpoint (turn, zoom, tilt), then blur (at times), gamma, exposure and noise.
 [[nodiscard]] SecondView second_view(const cv::Mat1b& picture, std::uint64_t seed);
 
 }  // namespace striate
