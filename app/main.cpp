@@ -38,6 +38,7 @@ int run(int argc, char** argv) {
   striate::add_check_command(app, exit_code);
   striate::add_config_command(app, exit_code);
   striate::add_eval_command(app, exit_code);
+  striate::add_learn_descriptor_command(app, exit_code);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

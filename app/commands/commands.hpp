@@ -13,5 +13,6 @@ void add_sim_command(CLI::App& app, int& exit_code);
 void add_check_command(CLI::App& app, int& exit_code);
 void add_config_command(CLI::App& app, int& exit_code);
 void add_eval_command(CLI::App& app, int& exit_code);
+void add_learn_descriptor_command(CLI::App& app, int& exit_code);
 
 }  // namespace striate

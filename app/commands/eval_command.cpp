@@ -25,6 +25,10 @@ constexpr Kind kKinds[] = {
      "Folder, or its subfolders: img1.ppm, img2.ppm, H1to2p, ... (Oxford)\n"
      "or 1.ppm, 2.ppm, H_1_2, ... (HPatches); also pgm, png, jpg, bmp",
      evaluate_keypoints},
+    {"patches",
+     "ROC of descriptors on true and false patch pairs. Folder: sequences with img1.* and H1to2p\n"
+     "(Oxford) or 1.* and H_1_2 (HPatches), or info.txt, m50_*.txt and mosaics (Brown/Winder)",
+     evaluate_patches},
 };
 
 }  // namespace

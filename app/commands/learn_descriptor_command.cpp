@@ -1,0 +1,31 @@
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "app/commands/commands.hpp"
+#include "app/learning/learn_descriptor.hpp"
+#include "app/run_result.hpp"
+
+namespace striate {
+
+void add_learn_descriptor_command(CLI::App& app, int& exit_code) {
+  auto options = std::make_shared<LearnOptions>();
+  CLI::App* command = app.add_subcommand(
+      "learn-descriptor",
+      "Learns which V1 responses Striate's 256-bit descriptor compares, from made pictures,\n"
+      "and writes the table; building the program anew takes it in.");
+  command->add_option("--pictures", options->pictures, "pictures made")
+      ->check(CLI::Range(1, 10000))
+      ->capture_default_str();
+  command->add_option("--seed", options->seed, "the same seed, the same table")
+      ->capture_default_str();
+  command->add_option("--out", options->out, "the file to write")->capture_default_str();
+  command->callback([options, &exit_code] {
+    check_writable(options->out);
+    write_file(options->out, learn_descriptor(*options));
+    fmt::print("{}: 256 bits\n", options->out);
+    exit_code = 0;
+  });
+}
+
+}  // namespace striate

@@ -1,0 +1,108 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "app/evaluation/patch_layouts.hpp"
+#include "app/evaluation/patch_methods.hpp"
+#include "app/learning/learn_descriptor.hpp"
+#include "app/learning/synthetic_pictures.hpp"
+#include "config/user_error.hpp"
+#include "perception/descriptor/striate_table.hpp"
+
+namespace striate {
+namespace {
+
+namespace fs = std::filesystem;
+
+class PatchFolder : public testing::Test {
+ protected:
+  void SetUp() override { fs::create_directories(folder_); }
+  void TearDown() override { fs::remove_all(folder_); }
+  void write(const std::string& name, const std::string& text) const {
+    std::ofstream(folder_ / name) << text;
+  }
+  [[nodiscard]] std::string error() const {
+    try {
+      (void)load_patches(folder_.string(), {});
+    } catch (const UserError& mistake) {
+      return mistake.what();
+    }
+    return "none";
+  }
+  void write_mosaic() const {
+    cv::imwrite((folder_ / "patches0000.bmp").string(), cv::Mat1b(1024, 1024, std::uint8_t{9}));
+  }
+  fs::path folder_ =
+      fs::path(testing::TempDir()) /
+      ("patches_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
+};
+
+TEST_F(PatchFolder, OfTheOxfordLayoutGivesTrueAndFalsePairs) {
+  fs::create_directories(folder_ / "made");
+  const cv::Mat1b picture = synthetic_picture({320, 240}, 5);
+  cv::imwrite((folder_ / "made/img1.png").string(), picture);
+  cv::imwrite((folder_ / "made/img2.png").string(), picture);
+  write("made/H1to2p", "1 0 0\n0 1 0\n0 0 1\n");
+  PatchChoice choice;
+  choice.pairs = 20;
+  const PatchSet set = load_patches(folder_.string(), choice);
+  ASSERT_EQ(set.count, 40);
+  for (const PatchPair& pair : set.pairs) {
+    const double difference = cv::norm(set.patch(pair.first), set.patch(pair.second), cv::NORM_L1);
+    EXPECT_EQ(difference == 0.0, pair.same);
+  }
+  EXPECT_EQ(std::ranges::count(set.pairs, true, &PatchPair::same), 20);
+}
+
+TEST_F(PatchFolder, OfTheBrownLayoutIsRead) {
+  write("info.txt", "0 0\n0 0\n1 0\n");
+  write("m50_2_2_0.txt", "0 0 0 1 0 0 0\n0 0 0 2 1 0 0\n");
+  write_mosaic();
+  const PatchSet set = load_patches(folder_.string(), {});
+  ASSERT_EQ(set.pairs.size(), 2U);
+  EXPECT_TRUE(set.pairs[0].same);
+  EXPECT_FALSE(set.pairs[1].same);
+  EXPECT_EQ(set.patch(2)(0, 0), 9);
+}
+
+TEST_F(PatchFolder, TellsFileAndLineOfADamagedMatch) {
+  write("info.txt", "0 0\n1 0\n");
+  write_mosaic();
+  write("m50_2_2_0.txt", "0 0 0 1 1 0 0\n0 0 0 7 1 0 0\n");
+  EXPECT_THAT(error(), testing::HasSubstr("m50_2_2_0.txt:2: expected patches 0 to 1"));
+}
+
+TEST_F(PatchFolder, WithoutDataTellsTheExpectedLayouts) {
+  EXPECT_THAT(error(), testing::HasSubstr("H1to2p"));
+  write("H1to2p", "1 0 0 0 1");
+  EXPECT_THAT(error(), testing::HasSubstr("pictures img1 and img2 are missing"));
+}
+
+TEST(FalsePositiveRate, CountsFalsePairsNearerThanTheRecallNeeds) {
+  std::vector<PatchPair> pairs;
+  std::vector<float> distances;
+  for (int k = 0; k < 20; ++k) {
+    pairs.push_back({0, 1, true});
+    distances.push_back(static_cast<float>(k));
+    pairs.push_back({0, 1, false});
+    distances.push_back(static_cast<float>(k) + 10.5F);
+  }
+  EXPECT_DOUBLE_EQ(false_positive_rate(pairs, distances, 0.95), 8.0 / 20.0);
+  EXPECT_DOUBLE_EQ(false_positive_rate(pairs, distances, 0.5), 0.0);
+}
+
+TEST(LearnDescriptor, GivesTheSameReadableTableForTheSameSeed) {
+  LearnOptions options;
+  options.pictures = 2;
+  options.seed = 3;
+  const std::string table = learn_descriptor(options);
+  EXPECT_EQ(learn_descriptor(options), table);
+  EXPECT_NO_THROW((void)parse_striate_table(table, "learned"));
+}
+
+}  // namespace
+}  // namespace striate

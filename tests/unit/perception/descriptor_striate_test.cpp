@@ -1,0 +1,156 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <numbers>
+#include <opencv2/imgproc.hpp>
+
+#include "config/user_error.hpp"
+#include "perception/descriptor/dense_descriptor.hpp"
+#include "perception/descriptor/striate_descriptor.hpp"
+#include "tests/reference/every_target.hpp"
+#include "tests/reference/test_pictures.hpp"
+
+namespace striate {
+namespace {
+
+std::vector<DescribedFrame> some_frames() {
+  std::vector<DescribedFrame> frames;
+  for (int k = 0; k < 20; ++k) {
+    frames.push_back({40.0 + 4.3 * k, 60.0 + 2.1 * k, 4.0 + 0.4 * k, 0.3 * k});
+  }
+  return frames;
+}
+
+std::vector<Descriptor> described(const cv::Mat1b& picture,
+                                  const std::vector<DescribedFrame>& frames,
+                                  StriateOrientation orientation = StriateOrientation::given) {
+  StriateSettings settings;
+  settings.orientation = orientation;
+  StriateDescriber describer(settings);
+  describer.prepare(picture);
+  std::vector<Descriptor> result;
+  describer.describe(frames, result);
+  return result;
+}
+
+double mean_distance(const std::vector<Descriptor>& a, const std::vector<Descriptor>& b) {
+  double sum = 0.0;
+  for (std::size_t k = 0; k < a.size(); ++k) sum += hamming_distance(a[k], b[k]);
+  return sum / static_cast<double>(a.size());
+}
+
+/// A quarter turn clockwise as it is seen: (u, v) goes to (height - 1 - v, u).
+std::vector<DescribedFrame> turned(std::vector<DescribedFrame> frames, int height) {
+  for (DescribedFrame& frame : frames) {
+    const double u_px = frame.u_px;
+    frame.u_px = height - 1 - frame.v_px;
+    frame.v_px = u_px;
+    frame.angle_rad += 0.5 * std::numbers::pi;
+  }
+  return frames;
+}
+
+std::string table_of(int bits) {
+  std::string text = "# a comment\n";
+  for (int k = 0; k < bits; ++k) text += std::to_string(k) + " 399 -12\n";
+  return text;
+}
+
+TEST(StriateDescriptor, IsTheSameOnEveryInstructionSet) {
+  const cv::Mat1b picture = reference::texture({160, 140}, 3);
+  const auto expected = described(picture, some_frames());
+  reference::on_every_target([&](const std::string& name) {
+    EXPECT_EQ(described(picture, some_frames()), expected) << name;
+  });
+}
+
+TEST(StriateDescriptor, OfAFrameDoesNotDependOnTheOthers) {
+  const cv::Mat1b picture = reference::texture({160, 140}, 3);
+  const auto together = described(picture, some_frames());
+  for (std::size_t k = 0; k < together.size(); ++k) {
+    EXPECT_EQ(described(picture, {some_frames()[k]}).front(), together[k]);
+  }
+}
+
+TEST(StriateDescriptor, HardlyChangesWithExposure) {
+  const cv::Mat1b picture = reference::texture({160, 140}, 3, 0, 60);
+  cv::Mat1b brighter;
+  picture.convertTo(brighter, CV_8U, 1.3, 10.0);
+  EXPECT_LT(mean_distance(described(picture, some_frames()), described(brighter, some_frames())),
+            8.0);
+}
+
+TEST(StriateDescriptor, TurnsWithTheFrame) {
+  const cv::Mat1b picture = reference::texture({160, 140}, 3);
+  cv::Mat1b rotated;
+  cv::rotate(picture, rotated, cv::ROTATE_90_CLOCKWISE);
+  const auto frames = turned(some_frames(), picture.rows);
+  EXPECT_LT(mean_distance(described(picture, some_frames()), described(rotated, frames)), 8.0);
+}
+
+TEST(StriateDescriptor, WithItsOwnAngleIgnoresATurnThatItIsNotTold) {
+  const cv::Mat1b picture = reference::texture({160, 140}, 3);
+  cv::Mat1b rotated;
+  cv::rotate(picture, rotated, cv::ROTATE_90_CLOCKWISE);
+  const auto frames = turned(some_frames(), picture.rows);
+  const auto own = StriateOrientation::dominant, upright = StriateOrientation::upright;
+  EXPECT_LT(mean_distance(described(picture, some_frames(), own), described(rotated, frames, own)),
+            24.0);
+  EXPECT_GT(mean_distance(described(picture, some_frames(), upright),
+                          described(rotated, frames, upright)),
+            60.0);
+}
+
+TEST(StriateDescriptor, TellsPlacesApart) {
+  const cv::Mat1b picture = reference::texture({160, 140}, 3);
+  auto elsewhere = some_frames();
+  for (DescribedFrame& frame : elsewhere) frame.v_px -= 40.0;
+  EXPECT_GT(mean_distance(described(picture, some_frames()), described(picture, elsewhere)), 60.0);
+}
+
+TEST(StriateDescriptor, DescribesKeypointsAndSmallestPictures) {
+  std::vector<Keypoint> keypoints(2);
+  keypoints[1].u_px = 5.0;
+  for (Keypoint& point : keypoints) point.wavelength_px = 8.0;
+  StriateDescriber describer(StriateSettings{});
+  describer.prepare(reference::texture({64, 64}, 1));
+  describer.describe(keypoints);
+  EXPECT_NE(keypoints[0].descriptor, keypoints[1].descriptor);
+  EXPECT_NO_THROW(described(cv::Mat1b(1, 1, std::uint8_t{7}), {{0.0, 0.0, 3.0, 0.0}}));
+}
+
+TEST(StriateDescriptor, RefusesFramesWithoutSizeAndEmptyPictures) {
+  StriateDescriber describer(StriateSettings{});
+  EXPECT_THROW(describer.prepare(cv::Mat1b()), std::invalid_argument);
+  EXPECT_THROW(described(reference::texture({64, 64}, 1), {{1.0, 1.0, 0.0, 0.0}}),
+               std::invalid_argument);
+}
+
+TEST(StriateTable, TellsTheLineThatIsWrong) {
+  auto error = [](const std::string& text) -> std::string {
+    try {
+      (void)parse_striate_table(text, "table.inc");
+    } catch (const UserError& mistake) {
+      return mistake.what();
+    }
+    return "none";
+  };
+  EXPECT_EQ(error(table_of(256)), "none");
+  EXPECT_THAT(error("# one\n1 2\n"), testing::StartsWith("table.inc:2: error"));
+  EXPECT_THAT(error("1 2 0\n1 400 0\n"), testing::StartsWith("table.inc:2: error"));
+  EXPECT_THAT(error("3 3 0\n"), testing::StartsWith("table.inc:1: error"));
+  EXPECT_THAT(error(table_of(257)), testing::StartsWith("table.inc:258: error: more"));
+  EXPECT_THAT(error(table_of(255)), testing::HasSubstr("only 255 of 256 bits"));
+}
+
+TEST(StriateTable, IsReadAsItWasWritten) {
+  std::vector<StriateBit> bits(256, StriateBit{7, 9, -3});
+  bits[17] = {399, 0, 250};
+  const StriateTable table = parse_striate_table(striate_table_text(bits, "# made\n"), "t");
+  EXPECT_EQ(table[17].first, 399);
+  EXPECT_EQ(table[17].threshold, 250);
+  EXPECT_EQ(table[255].second, 9);
+}
+
+}  // namespace
+}  // namespace striate
