@@ -14,7 +14,11 @@ struct Kind {
 
 /// What can be measured; each has its own file in app/evaluation/.
 constexpr Kind kKinds[] = {
-    {nullptr, nullptr, nullptr},
+    {"objects",
+     "objects found in scenes; ORB, BRISK and SIFT beside.\n"
+     "Folder: objects/NAME/*.png, scenes/*.png, truth.json ({\"scene\": [\"NAME\", ...]});\n"
+     "or JSK ARC 2017; or pairs NAME.png, NAME_in_scene.png",
+     evaluate_objects},
 };
 
 }  // namespace

@@ -21,10 +21,14 @@ namespace {
 constexpr std::size_t kQueries = 500;
 constexpr std::uint32_t kLimit = 48;
 
+/// OpenCV takes at most 2^18 rows in one matrix, but several matrices.
+constexpr int kRowsOfPart = 250'000;
+
 struct Data {
   std::vector<Descriptor> queries, stored;
   DescriptorStore store;
-  cv::Mat query_rows, stored_rows;
+  cv::Mat query_rows;
+  std::vector<cv::Mat> stored_parts;
 };
 
 cv::Mat rows_of(const std::vector<Descriptor>& descriptors) {
@@ -44,7 +48,10 @@ Data complete(std::vector<Descriptor> stored) {
   }
   data.store.append(data.stored);
   data.query_rows = rows_of(data.queries);
-  data.stored_rows = rows_of(data.stored);
+  const cv::Mat rows = rows_of(data.stored);
+  for (int r = 0; r < rows.rows; r += kRowsOfPart) {
+    data.stored_parts.push_back(rows.rowRange(r, std::min(rows.rows, r + kRowsOfPart)));
+  }
   return data;
 }
 
@@ -62,17 +69,23 @@ std::vector<Descriptor> of_keypoints(std::size_t count) {
   return result;
 }
 
+std::uint32_t stored_index(const cv::DMatch& match) {
+  return static_cast<std::uint32_t>(match.imgIdx * kRowsOfPart + match.trainIdx);
+}
+
 std::vector<std::vector<cv::DMatch>> opencv_below(const Data& data) {
   std::vector<std::vector<cv::DMatch>> matches;
-  // Its limit is inclusive.
-  cv::BFMatcher(cv::NORM_HAMMING)
-      .radiusMatch(data.query_rows, data.stored_rows, matches, static_cast<float>(kLimit - 1));
+  cv::BFMatcher matcher(cv::NORM_HAMMING);
+  matcher.add(data.stored_parts);
+  matcher.radiusMatch(data.query_rows, matches, static_cast<float>(kLimit - 1));  // inclusive
   return matches;
 }
 
 std::vector<cv::DMatch> opencv_nearest(const Data& data) {
   std::vector<cv::DMatch> matches;
-  cv::BFMatcher(cv::NORM_HAMMING).match(data.query_rows, data.stored_rows, matches);
+  cv::BFMatcher matcher(cv::NORM_HAMMING);
+  matcher.add(data.stored_parts);
+  matcher.match(data.query_rows, matches);
   return matches;
 }
 
@@ -81,10 +94,9 @@ bool same_answers(const Data& data) {
   HammingSearch search;
   std::vector<Match> theirs;
   for (auto& of_query : opencv_below(data)) {
-    std::ranges::sort(of_query, {}, &cv::DMatch::trainIdx);
+    std::ranges::sort(of_query, {}, stored_index);
     for (const cv::DMatch& match : of_query) {
-      theirs.push_back({static_cast<std::uint32_t>(match.queryIdx),
-                        static_cast<std::uint32_t>(match.trainIdx),
+      theirs.push_back({static_cast<std::uint32_t>(match.queryIdx), stored_index(match),
                         static_cast<std::uint32_t>(match.distance)});
     }
   }
