@@ -22,8 +22,12 @@ RecognitionSettings everything(RecognitionSetting setting) {
 
 class Ours final : public ObjectMethod {
  public:
-  Ours(std::string name, RecognitionSetting setting, int turns)
-      : name_(std::move(name)), settings_(everything(setting)), turns_(turns) {}
+  /// @param turns of each taught picture. @param keypoints how pictures become keypoints.
+  Ours(std::string name, RecognitionSetting setting, int turns, KeypointSource keypoints)
+      : name_(std::move(name)),
+        settings_(everything(setting)),
+        turns_(turns),
+        keypoints_(std::move(keypoints)) {}
 
   [[nodiscard]] std::string name() const override { return name_; }
   void teach(const std::vector<TaughtObject>& objects) override {
@@ -32,7 +36,7 @@ class Ours final : public ObjectMethod {
       ObjectModel model{object.name, {}};
       for (const TaughtPicture& picture : object.pictures) {
         for (ObjectView& view :
-             make_turned_views(picture.grey, picture.region, turns_, std::ref(keypoints_))) {
+             make_turned_views(picture.grey, picture.region, turns_, keypoints_)) {
           model.views.push_back(std::move(view));
         }
       }
@@ -55,7 +59,7 @@ class Ours final : public ObjectMethod {
   std::string name_;
   RecognitionSettings settings_;
   int turns_;
-  PyramidKeypoints keypoints_{PyramidSettings{}};
+  KeypointSource keypoints_;
   std::size_t count_ = 0;
   std::optional<Recogniser> recogniser_;
 };
@@ -148,9 +152,15 @@ class OpenCvMethod final : public ObjectMethod {
 
 std::vector<std::unique_ptr<ObjectMethod>> object_methods() {
   std::vector<std::unique_ptr<ObjectMethod>> methods;
-  constexpr int kTurns = 16;  // the descriptor bears half of 22.5 degrees
-  methods.push_back(std::make_unique<Ours>("Striate", RecognitionSetting::robust, kTurns));
-  methods.push_back(std::make_unique<Ours>("paper's rule", RecognitionSetting::paper, 1));
+  constexpr int kTurns = 18;  // the descriptor does not turn with the picture
+  auto pyramid = std::make_shared<PyramidKeypoints>(PyramidSettings{});
+  methods.push_back(
+      std::make_unique<Ours>("Striate", RecognitionSetting::robust, kTurns,
+                             [pyramid](const cv::Mat1b& grey) { return (*pyramid)(grey); }));
+  auto finder = std::make_shared<KeypointFinder>(KeypointSettings{});
+  methods.push_back(
+      std::make_unique<Ours>("paper's rule", RecognitionSetting::paper, 1,
+                             [finder](const cv::Mat1b& grey) { return finder->find(grey); }));
   methods.push_back(std::make_unique<OpenCvMethod>("ORB", cv::ORB::create(2000)));
   methods.push_back(std::make_unique<OpenCvMethod>("BRISK", cv::BRISK::create()));
   methods.push_back(std::make_unique<OpenCvMethod>("SIFT", cv::SIFT::create()));

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace striate {
 namespace {
@@ -16,30 +15,42 @@ double distance_sq_px(const Pose& pose, const PlacePair& pair) {
          squared(pose.v_of(pair.view.u_px, pair.view.v_px) - pair.picture.v_px);
 }
 
-/// Whether the sizes and orientations of the keypoints go with the pose.
-bool alike(const Pose& pose, const PlacePair& pair) {
-  const double scale = pose.scale() * pair.view.size_px / pair.picture.size_px;
-  if (!(scale > 0.5 && scale < 2.0)) return false;
-  const double turn = std::atan2(pose.d - pose.b, pose.a + pose.e);
-  const double difference = pair.picture.angle_rad - pair.view.angle_rad - turn;
-  return std::cos(difference) > std::cos(std::numbers::pi / 5);
+/// What a pair's own pose does to a vector along u: (cos, sin) of its turn, times its scale.
+struct Turn {
+  double u, v;
+};
+
+/// Whether two turns differ by less than a factor of two and less than 36 degrees.
+bool alike(const Turn& a, const Turn& b) {
+  const double dot = a.u * b.u + a.v * b.v;
+  const double aa = a.u * a.u + a.v * a.v, bb = b.u * b.u + b.v * b.v;
+  constexpr double kCosineSquared = 0.6545;
+  return dot > 0.0 && dot * dot > kCosineSquared * aa * bb && aa < 4.0 * bb && bb < 4.0 * aa;
+}
+
+/// The similarity part of a pose.
+Turn turn_of(const Pose& pose) {
+  return {(pose.a + pose.e) / 2, (pose.d - pose.b) / 2};
 }
 
 }  // namespace
 
 /// The pair whose proposal most pairs support; of equals the first.
-int ConsensusFinder::propose(std::span<const PlacePair> pairs, double tolerance_px) {
-  int best = 0, most = 0;
+std::size_t ConsensusFinder::propose(std::span<const PlacePair> pairs, double tolerance_px) {
+  std::size_t best = 0;
+  int most = 0;
   for (std::size_t i = 0; i < pairs.size(); ++i) {
-    const Pose pose = pose_of_pair(pairs[i]);
-    const double limit = squared(tolerance_px * pose.scale());
+    const Pose& pose = poses_[i];
+    const Turn turn = turn_of(pose);
+    const double limit = squared(tolerance_px) * pose.determinant();
     int support = 0;
-    for (const PlacePair& pair : pairs) {
-      support += distance_sq_px(pose, pair) < limit && alike(pose, pair) ? 1 : 0;
+    for (std::size_t j = 0; j < pairs.size(); ++j) {
+      if (distance_sq_px(pose, pairs[j]) >= limit) continue;
+      support += alike(turn, turn_of(poses_[j])) ? 1 : 0;
     }
     if (support > most) {
       most = support;
-      best = static_cast<int>(i);
+      best = i;
     }
   }
   return best;
@@ -48,9 +59,11 @@ int ConsensusFinder::propose(std::span<const PlacePair> pairs, double tolerance_
 void ConsensusFinder::gather(std::span<const PlacePair> pairs, const Pose& pose,
                              double tolerance_px) {
   agreeing_.clear();
+  const Turn turn = turn_of(pose);
   const double limit = squared(tolerance_px * pose.scale());
-  for (const PlacePair& pair : pairs) {
-    if (distance_sq_px(pose, pair) < limit && alike(pose, pair)) agreeing_.push_back(pair);
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    if (distance_sq_px(pose, pairs[k]) >= limit) continue;
+    if (alike(turn, turn_of(poses_[k]))) agreeing_.push_back(pairs[k]);
   }
 }
 
@@ -82,8 +95,9 @@ Consensus ConsensusFinder::find(std::span<const PlacePair> pairs, double width_p
                                 double height_px) {
   if (pairs.size() < 3) return {};
   const double side_px = std::sqrt(width_px * height_px);
-  const auto best = static_cast<std::size_t>(propose(pairs, settings_.vote_tolerance * side_px));
-  Pose pose = pose_of_pair(pairs[best]);
+  poses_.clear();
+  for (const PlacePair& pair : pairs) poses_.push_back(pose_of_pair(pair));
+  Pose pose = poses_[propose(pairs, settings_.vote_tolerance * side_px)];
   gather(pairs, pose, settings_.vote_tolerance * side_px);
   constexpr int kRounds = 5;
   for (int round = 0; round < kRounds; ++round) {

@@ -26,12 +26,13 @@ class ConsensusFinder {
   [[nodiscard]] Consensus find(std::span<const PlacePair> pairs, double width_px, double height_px);
 
  private:
-  int propose(std::span<const PlacePair> pairs, double tolerance_px);
+  std::size_t propose(std::span<const PlacePair> pairs, double tolerance_px);
   void gather(std::span<const PlacePair> pairs, const Pose& pose, double tolerance_px);
   [[nodiscard]] bool plausible(const Pose& pose) const;
   [[nodiscard]] int distinct();
 
   RecognitionSettings settings_;
+  std::vector<Pose> poses_;  ///< that each pair says by itself
   std::vector<PlacePair> agreeing_;
   std::vector<int> points_;
 };
