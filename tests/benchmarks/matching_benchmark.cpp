@@ -121,24 +121,21 @@ class Medians : public benchmark::ConsoleReporter {
     ConsoleReporter::ReportRuns(runs);
     for (const Run& run : runs) {
       if (run.aggregate_name != "median") continue;
-      names_.push_back(run.run_name.function_name);
-      cpu_ms_[names_.back()] = run.GetAdjustedCPUTime();
+      cpu_ms_[run.run_name.function_name] = run.GetAdjustedCPUTime();
     }
   }
   /// How many times longer OpenCV takes for the same answer.
   void print_ratios() const {
     fmt::print("\n{:44} {:>9} {:>14}\n", "median CPU time", "ms", "OpenCV / it");
-    for (const std::string& name : names_) {
+    for (const auto& [name, ms] : cpu_ms_) {
       const std::size_t slash = name.rfind('/');
       const auto yardstick = cpu_ms_.find(name.substr(0, slash) + "/OpenCV");
       if (yardstick == cpu_ms_.end()) continue;
-      fmt::print("{:44} {:9.2f} {:14.1f}\n", name, cpu_ms_.at(name),
-                 yardstick->second / cpu_ms_.at(name));
+      fmt::print("{:44} {:9.2f} {:14.1f}\n", name, ms, yardstick->second / ms);
     }
   }
 
  private:
-  std::vector<std::string> names_;
   std::map<std::string, double> cpu_ms_;
 };
 
