@@ -69,9 +69,11 @@ void keep_salient(const Percept& percept, std::vector<Keypoint>& salient) {
   }
 }
 
-void whole_cycle(benchmark::State& state) {
+void whole_cycle(benchmark::State& state, int limit_bits) {
   Perception perception(in_every_picture(), {});
-  Recogniser recogniser(landmarks(), {});
+  RecognitionSettings settings;
+  settings.limit_bits = limit_bits;
+  Recogniser recogniser(landmarks(), settings);
   const StereoFrame pictures = frame();
   std::vector<Keypoint> salient;
   for (auto _ : state) {
@@ -118,7 +120,8 @@ int main(int argc, char** argv) {
   auto add = [](const char* name, const auto& function) {
     benchmark::RegisterBenchmark(name, function)->Unit(benchmark::kMillisecond);
   };
-  add("whole cycle", striate::whole_cycle);
+  add("whole cycle", [](auto& state) { striate::whole_cycle(state, 84); });
+  add("whole cycle, pairs below 48 bits", [](auto& state) { striate::whole_cycle(state, 48); });
   add("seeing", [](auto& state) { striate::seeing_without(state, true); });
   add("seeing without keypoints", [](auto& state) { striate::seeing_without(state, false); });
   add("stereo 160x120, robust", striate::stereo);
