@@ -29,6 +29,11 @@ constexpr Kind kKinds[] = {
      "ROC of descriptors on true and false patch pairs. Folder: sequences with img1.* and H1to2p\n"
      "(Oxford) or 1.* and H_1_2 (HPatches), or info.txt, m50_*.txt and mosaics (Brown/Winder)",
      evaluate_patches},
+    {"objects",
+     "objects found in scenes; ORB, BRISK and SIFT beside.\n"
+     "Folder: objects/NAME/*.png, scenes/*.png, truth.json ({\"scene\": [\"NAME\", ...]});\n"
+     "or JSK ARC 2017; or pairs NAME.png, NAME_in_scene.png",
+     evaluate_objects},
 };
 
 }  // namespace

@@ -1,0 +1,170 @@
+#include "app/evaluation/object_methods.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <opencv2/features2d.hpp>
+
+#include "perception/recognition/pyramid_keypoints.hpp"
+#include "perception/recognition/recogniser.hpp"
+
+namespace striate {
+namespace {
+
+/// So that the threshold can be chosen afterwards.
+RecognitionSettings everything(RecognitionSetting setting) {
+  RecognitionSettings settings;
+  settings.setting = setting;
+  settings.least_inliers = 3;
+  settings.paper_share = 0.0;
+  return settings;
+}
+
+class Ours final : public ObjectMethod {
+ public:
+  /// @param turns of each taught picture. @param keypoints how pictures become keypoints.
+  Ours(std::string name, RecognitionSetting setting, int turns, KeypointSource keypoints)
+      : name_(std::move(name)),
+        settings_(everything(setting)),
+        turns_(turns),
+        keypoints_(std::move(keypoints)) {}
+
+  [[nodiscard]] std::string name() const override { return name_; }
+  void teach(const std::vector<TaughtObject>& objects) override {
+    std::vector<ObjectModel> models;
+    for (const TaughtObject& object : objects) {
+      ObjectModel model{object.name, {}};
+      for (const TaughtPicture& picture : object.pictures) {
+        for (ObjectView& view :
+             make_turned_views(picture.grey, picture.region, turns_, keypoints_)) {
+          model.views.push_back(std::move(view));
+        }
+      }
+      models.push_back(std::move(model));
+    }
+    count_ = models.size();
+    recogniser_.emplace(models, settings_);
+  }
+  [[nodiscard]] ObjectScores look(const cv::Mat1b& scene) override {
+    ObjectScores scores(count_, 0.0);
+    for (const Recognition& found : recogniser_->recognise(keypoints_(scene))) {
+      scores[static_cast<std::size_t>(found.object)] =
+          settings_.setting == RecognitionSetting::paper ? 100.0 * found.matched_fraction
+                                                         : found.inliers;
+    }
+    return scores;
+  }
+
+ private:
+  std::string name_;
+  RecognitionSettings settings_;
+  int turns_;
+  KeypointSource keypoints_;
+  std::size_t count_ = 0;
+  std::optional<Recogniser> recogniser_;
+};
+
+/// One of OpenCV's detectors and descriptors, through our choice of pairs and our consensus.
+class OpenCvMethod final : public ObjectMethod {
+ public:
+  OpenCvMethod(std::string name, cv::Ptr<cv::Feature2D> feature)
+      : name_(std::move(name)),
+        feature_(std::move(feature)),
+        matcher_(feature_->defaultNorm()),
+        settings_(everything(RecognitionSetting::robust)),
+        consensus_(settings_) {}
+
+  [[nodiscard]] std::string name() const override { return name_; }
+  void teach(const std::vector<TaughtObject>& objects) override {
+    views_.clear();
+    count_ = objects.size();
+    for (std::size_t k = 0; k < objects.size(); ++k) {
+      for (const TaughtPicture& picture : objects[k].pictures) {
+        views_.push_back(describe(picture.grey, picture.region));
+        views_.back().object = k;
+      }
+    }
+  }
+  [[nodiscard]] ObjectScores look(const cv::Mat1b& scene) override {
+    ObjectScores scores(count_, 0.0);
+    const View seen = describe(scene, {0, 0, scene.cols, scene.rows});
+    for (const View& view : views_) {
+      const Consensus consensus =
+          consensus_.find(pairs(seen, view), view.size.width, view.size.height);
+      scores[view.object] = std::max(scores[view.object], static_cast<double>(consensus.inliers));
+    }
+    return scores;
+  }
+
+ private:
+  struct View {
+    std::size_t object = 0;
+    cv::Size size;
+    std::vector<Place> places;
+    cv::Mat descriptors;
+  };
+
+  [[nodiscard]] View describe(const cv::Mat1b& grey, const cv::Rect& region) const {
+    View view{0, region.size(), {}, {}};
+    std::vector<cv::KeyPoint> points;
+    cv::Mat1b mask(grey.size(), std::uint8_t{0});
+    mask(region).setTo(255);
+    feature_->detectAndCompute(grey, mask, points, view.descriptors);
+    for (const cv::KeyPoint& point : points) {
+      view.places.push_back({point.pt.x - region.x, point.pt.y - region.y, point.size,
+                             point.angle * std::numbers::pi / 180.0});
+    }
+    return view;
+  }
+
+  /// The rule of Recogniser::add_candidate, without a limit of distance.
+  [[nodiscard]] std::vector<PlacePair> pairs(const View& seen, const View& view) const {
+    std::vector<PlacePair> result;
+    if (seen.places.empty() || view.places.size() < 2) return result;
+    std::vector<std::vector<cv::DMatch>> nearest;
+    matcher_.knnMatch(seen.descriptors, view.descriptors, nearest, 6);
+    for (const std::vector<cv::DMatch>& of_point : nearest) {
+      const int first = of_point.front().trainIdx;
+      const Place& place = view.places[static_cast<std::size_t>(first)];
+      double second = of_point.back().distance;
+      for (const cv::DMatch& match : of_point) {
+        const Place& other = view.places[static_cast<std::size_t>(match.trainIdx)];
+        const double apart = std::hypot(other.u_px - place.u_px, other.v_px - place.v_px);
+        if (apart >= place.size_px) second = std::min<double>(second, match.distance);
+      }
+      if (of_point.front().distance >= settings_.ratio * second) continue;
+      result.push_back(
+          {place, seen.places[static_cast<std::size_t>(of_point.front().queryIdx)], first});
+    }
+    return result;
+  }
+
+  std::string name_;
+  cv::Ptr<cv::Feature2D> feature_;
+  cv::BFMatcher matcher_;
+  RecognitionSettings settings_;
+  ConsensusFinder consensus_;
+  std::size_t count_ = 0;
+  std::vector<View> views_;
+};
+
+}  // namespace
+
+std::vector<std::unique_ptr<ObjectMethod>> object_methods() {
+  std::vector<std::unique_ptr<ObjectMethod>> methods;
+  constexpr int kTurns = 18;  // the descriptor does not turn with the picture
+  auto pyramid = std::make_shared<PyramidKeypoints>(PyramidSettings{});
+  methods.push_back(
+      std::make_unique<Ours>("Striate", RecognitionSetting::robust, kTurns,
+                             [pyramid](const cv::Mat1b& grey) { return (*pyramid)(grey); }));
+  auto finder = std::make_shared<KeypointFinder>(KeypointSettings{});
+  methods.push_back(
+      std::make_unique<Ours>("paper's rule", RecognitionSetting::paper, 1,
+                             [finder](const cv::Mat1b& grey) { return finder->find(grey); }));
+  methods.push_back(std::make_unique<OpenCvMethod>("ORB", cv::ORB::create(2000)));
+  methods.push_back(std::make_unique<OpenCvMethod>("BRISK", cv::BRISK::create()));
+  methods.push_back(std::make_unique<OpenCvMethod>("SIFT", cv::SIFT::create()));
+  return methods;
+}
+
+}  // namespace striate

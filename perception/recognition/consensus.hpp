@@ -1,0 +1,40 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "perception/recognition/pose.hpp"
+#include "perception/recognition/recognition_settings.hpp"
+
+namespace striate {
+
+/// The pose that most pairs agree with.
+struct Consensus {
+  int inliers = 0;  ///< different keypoints of the view that agree; 0: no pose
+  Pose pose;        ///< view to picture
+};
+
+/// Finds the pose of a view by voting: every pair proposes the similarity that its two keypoints
+/// say (place, size, orientation); the proposal that most others support is refined by least
+/// squares, first as a similarity, then as an affine map. No random numbers: all are tried. Keeps
+/// its buffers.
+class ConsensusFinder {
+ public:
+  explicit ConsensusFinder(const RecognitionSettings& settings) : settings_(settings) {}
+
+  /// @param width_px, height_px of the view; tolerances are shares of its mean side.
+  [[nodiscard]] Consensus find(std::span<const PlacePair> pairs, double width_px, double height_px);
+
+ private:
+  std::size_t propose(std::span<const PlacePair> pairs, double tolerance_px);
+  void gather(std::span<const PlacePair> pairs, const Pose& pose, double tolerance_px);
+  [[nodiscard]] bool plausible(const Pose& pose) const;
+  [[nodiscard]] int distinct();
+
+  RecognitionSettings settings_;
+  std::vector<Pose> poses_;  ///< that each pair says by itself
+  std::vector<PlacePair> agreeing_;
+  std::vector<int> points_;
+};
+
+}  // namespace striate

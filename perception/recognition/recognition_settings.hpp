@@ -1,0 +1,44 @@
+#pragma once
+
+#include "config/settings.hpp"
+
+namespace striate {
+
+enum class RecognitionSetting { paper, robust };
+
+/// When an object counts as recognised.
+struct RecognitionSettings {
+  RecognitionSetting setting = RecognitionSetting::robust;
+  int paper_limit_bits = 48;     ///< paper: a match is below it
+  double paper_share = 0.5;      ///< paper: of a view's descriptors that must have a match
+  int limit_bits = 84;           ///< robust: candidates are below it
+  double ratio = 0.85;           ///< robust: nearest over second nearest of the same view
+  int least_inliers = 12;        ///< robust: keypoints of a view that agree on a pose
+  double vote_tolerance = 0.15;  ///< of the view's side, when pairs vote
+  double fit_tolerance = 0.04;   ///< of the view's side, when the pose is fitted
+  double most_stretch = 2.5;     ///< how much longer one direction may be drawn than the other
+  double least_scale = 0.15;     ///< of the view in the picture; its inverse is the largest
+};
+
+template <class V>
+void visit(V& v, RecognitionSettings& s) {
+  using config::Unit;
+  v.choice("setting", s.setting, {"paper", "robust"}, "the paper's rule, or with geometry");
+  v.integer("paper_limit", s.paper_limit_bits, {1, 257}, "bits; a match of the paper is below it");
+  v.number("paper_share", s.paper_share, Unit::fraction, {0.0, 1.0},
+           "of a view's descriptors that must have a match");
+  v.integer("limit", s.limit_bits, {1, 257}, "bits; candidates of a pair are below it");
+  v.number("ratio", s.ratio, Unit::none, {0.0, 1.0},
+           "a pair counts if its distance is so much below that of the second nearest");
+  v.integer("least_inliers", s.least_inliers, {3, 1000}, "keypoints that must agree on a pose");
+  v.number("vote_tolerance", s.vote_tolerance, Unit::fraction, {0.01, 1.0},
+           "of the view's side, when pairs vote");
+  v.number("fit_tolerance", s.fit_tolerance, Unit::fraction, {0.005, 0.5},
+           "of the view's side, when the pose is fitted");
+  v.number("most_stretch", s.most_stretch, Unit::none, {1.0, 10.0},
+           "how much longer one direction may be drawn than the other");
+  v.number("least_scale", s.least_scale, Unit::none, {0.01, 1.0},
+           "smallest scale of a view; its inverse is the largest");
+}
+
+}  // namespace striate
