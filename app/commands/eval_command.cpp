@@ -14,7 +14,10 @@ struct Kind {
 
 /// What can be measured; each has its own file in app/evaluation/.
 constexpr Kind kKinds[] = {
-    {nullptr, nullptr, nullptr},
+    {"saliency",
+     "Saliency against eye fixations: AUC-Judd, NSS, CC.\n"
+     "FOLDER/fixations.csv: image,subject,order,x,y,duration_ms; pictures beside it or in stimuli/",
+     evaluate_saliency},
 };
 
 }  // namespace
