@@ -181,10 +181,11 @@ void SaliencyFinder::sum_of_channels(const cv::Mat3b& picture, const DisparityMa
     add_channel(settings_.near, settings_.least_contrast);
   }
   if (settings_.motion > 0.0) {
-    cv::Mat1f small;
+    cv::Mat1b small;
     cv::resize(grey, small, half, 0, 0, cv::INTER_AREA);
+    small.convertTo(small_grey_, CV_32F);
     channel_.setTo(0.0F);
-    change_.add(small, channel_);
+    change_.add(small_grey_, channel_);
     add_channel(settings_.motion, settings_.least_contrast);
   }
 }

@@ -95,7 +95,7 @@ class SaliencyFinder {
   V1Responses responses_;
   OrientedEnergy energy_;
   PictureChange change_;
-  cv::Mat1f channel_, texture_, shape_, sum_;
+  cv::Mat1f channel_, texture_, shape_, sum_, small_grey_;
 };
 
 }  // namespace striate
