@@ -81,7 +81,7 @@ TEST_F(HostileInput, SixteenBitsAreScaledAndAlphaIsDropped) {
   EXPECT_EQ(clear(5, 5), cv::Vec3b(9, 8, 7));
 }
 
-TEST_F(HostileInput, BlackAndWhitePairsGiveAnAnswerWithoutRegions) {
+TEST_F(HostileInput, BlackAndWhitePairsGiveAnAnswer) {
   for (const uchar grey : {uchar{0}, uchar{255}}) {
     PerceiveOptions options;
     options.left = options.right = write(cv::Mat1b(120, 160, grey));
