@@ -143,6 +143,8 @@ void find_near_blobs(const PerceiveOptions& o, const StereoFrame& frame, Judged&
 Judged judge(const PerceiveOptions& o, const StereoFrame& frame) {
   PerceptionSettings settings;
   settings.stereo.setting = o.setting == "paper" ? StereoSetting::paper : StereoSetting::robust;
+  settings.saliency.setting =
+      o.setting == "paper" ? SaliencySetting::paper : SaliencySetting::robust;
   settings.stereo.width = o.width_px;
   settings.stereo.candidates = candidates_for(o);
   Judged judged;

@@ -22,6 +22,8 @@ namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 
 constexpr int kSmallestPicture_px = 16;
+constexpr double kMostPixels = 40e6;    ///< above any camera here; memory stays below 1 GB
+constexpr double kLongestShape = 20.0;  ///< width / height: more leaves no row at the working size
 
 /// JSON has no infinity: what is not known or not there is null.
 ordered_json number(double value) {
@@ -82,6 +84,15 @@ cv::Mat3b read_any_picture(const fs::path& file) {
   if (std::min(raw.rows, raw.cols) < kSmallestPicture_px) {
     throw UserError(fmt::format("{}: is {} x {} px; at least {} x {} are needed", file.string(),
                                 raw.cols, raw.rows, kSmallestPicture_px, kSmallestPicture_px));
+  }
+  if (static_cast<double>(raw.rows) * raw.cols > kMostPixels) {
+    throw UserError(fmt::format("{}: is {} x {} px; at most 40 million pixels are taken: scale it",
+                                file.string(), raw.cols, raw.rows));
+  }
+  if (std::max(raw.rows, raw.cols) > kLongestShape * std::min(raw.rows, raw.cols)) {
+    throw UserError(
+        fmt::format("{}: is {} x {} px; one side may be at most 20 times the other: cut it",
+                    file.string(), raw.cols, raw.rows));
   }
   if (raw.depth() == CV_16U) raw.convertTo(raw, CV_8U, 1.0 / 257.0);
   cv::Mat3b picture;

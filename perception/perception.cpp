@@ -30,7 +30,8 @@ Perception::Perception(const PerceptionSettings& settings, const RobotDescriptio
     : settings_(settings),
       robot_(robot),
       matcher_(settings.stereo),
-      keypoint_finder_(settings.keypoints) {}
+      keypoint_finder_(settings.keypoints),
+      saliency_finder_(settings.saliency) {}
 
 void Perception::match(const StereoFrame& frame, const cv::Mat1b& left, DisparityMap& disparity) {
   const int width = settings_.stereo.width;
@@ -76,9 +77,8 @@ Percept Perception::see(const StereoFrame& frame) {
   if (pictures_ % settings_.saliency_every == 0) {
     cv::Mat3b colour;
     cv::resize(frame.left, colour, left.size(), 0, 0, cv::INTER_AREA);
-    percept.saliency =
-        find_salience(colour, percept.disparity,
-                      ViewGeometry(percept.disparity, frame.head, robot_), settings_.saliency);
+    percept.saliency = saliency_finder_.find(colour, percept.disparity,
+                                             ViewGeometry(percept.disparity, frame.head, robot_));
   }
   if (settings_.keypoints_every > 0 && pictures_ % settings_.keypoints_every == 0) {
     percept.keypoints = keypoint_finder_.find(grey);

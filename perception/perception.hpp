@@ -37,7 +37,8 @@ void visit(V& v, PerceptionSettings& s) {
 }
 
 /// All of seeing: one picture pair in, one percept out. Holds no memory of earlier pictures but
-/// their count, so the same pictures always give the same percepts.
+/// their count (and, where `saliency.motion_weight` is not zero, a small copy of the last one), so
+/// the same pictures in the same order always give the same percepts.
 class Perception {
  public:
   /// Throws UserError for settings out of range.
@@ -57,6 +58,7 @@ class Perception {
   RobotDescription robot_;
   StereoMatcher matcher_;
   KeypointFinder keypoint_finder_;
+  SaliencyFinder saliency_finder_;
   std::int64_t pictures_ = 0;
 };
 

@@ -34,6 +34,10 @@ constexpr Kind kKinds[] = {
      "Folder: objects/NAME/*.png, scenes/*.png, truth.json ({\"scene\": [\"NAME\", ...]});\n"
      "or JSK ARC 2017; or pairs NAME.png, NAME_in_scene.png",
      evaluate_objects},
+    {"saliency",
+     "Saliency against eye fixations: AUC-Judd, NSS, CC.\n"
+     "FOLDER/fixations.csv: image,subject,order,x,y,duration_ms; pictures beside it or in stimuli/",
+     evaluate_saliency},
 };
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "perception/saliency/saliency.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
@@ -23,17 +24,25 @@ cv::Mat1f near_disparity(const DisparityMap& map, cv::Size half, const SaliencyS
   return near;
 }
 
-cv::Mat1f sum_of_maps(const cv::Mat3b& picture, const DisparityMap& map,
-                      const SaliencySettings& settings) {
-  const cv::Size half((picture.cols + 1) / 2, (picture.rows + 1) / 2);
+cv::Size half_of(const cv::Mat3b& picture) {
+  return {(picture.cols + 1) / 2, (picture.rows + 1) / 2};
+}
+
+void add_colour(const cv::Mat3b& picture, cv::Mat1f& sum) {
   cv::Mat small;
-  cv::resize(picture, small, half, 0, 0, cv::INTER_AREA);
+  cv::resize(picture, small, sum.size(), 0, 0, cv::INTER_AREA);
   small.convertTo(small, CV_32FC3, 1.0 / 255.0);
   cv::cvtColor(small, small, cv::COLOR_BGR2Lab);
-  std::vector<cv::Mat1f> lab;
-  cv::split(small, lab);
-  cv::Mat1f sum(half, 0.0F);
+  std::array<cv::Mat1f, 3> lab;
+  cv::split(small, lab.data());
   for (const cv::Mat1f& plane : lab) add_blob_response(plane, Rectify::both, sum);
+}
+
+cv::Mat1f sum_of_maps(const cv::Mat3b& picture, const DisparityMap& map,
+                      const SaliencySettings& settings) {
+  const cv::Size half = half_of(picture);
+  cv::Mat1f sum(half, 0.0F);
+  add_colour(picture, sum);
   if (!map.disparity_px.empty()) {
     add_blob_response(near_disparity(map, half, settings), Rectify::half, sum);
   }
@@ -74,13 +83,8 @@ SalientRegion describe(const SaliencyMap& map, cv::Rect box, const cv::Mat1b& ma
   return region;
 }
 
-}  // namespace
-
-SaliencyMap find_salience(const cv::Mat3b& picture, const DisparityMap& map,
-                          const ViewGeometry& geometry, const SaliencySettings& settings) {
-  SaliencyMap result;
-  if (picture.empty()) return result;
-  result.salience = sum_of_maps(picture, map, settings);
+void normalise_and_cut(const ViewGeometry& geometry, const DisparityMap& map,
+                       const SaliencySettings& settings, SaliencyMap& result) {
   double highest = 0.0;
   cv::minMaxLoc(result.salience, nullptr, &highest);
   const double scale = std::max(highest, settings.least_contrast);
@@ -105,6 +109,101 @@ SaliencyMap find_salience(const cv::Mat3b& picture, const DisparityMap& map,
       [](const SalientRegion& a, const SalientRegion& b) { return a.salience > b.salience; });
   const auto most = static_cast<std::size_t>(settings.most_regions);
   if (result.regions.size() > most) result.regions.resize(most);
+}
+
+}  // namespace
+
+void prefer_centre(double share, cv::Mat1f& salience) {
+  for (int v = 0; v < salience.rows; ++v) {
+    const double y = (v + 0.5) / salience.rows - 0.5;
+    for (int u = 0; u < salience.cols; ++u) {
+      const double x = (u + 0.5) / salience.cols - 0.5;
+      const double prior = std::exp(-0.5 * (x * x + y * y) / (0.25 * 0.25));
+      salience(v, u) *= static_cast<float>(1.0 - share + share * prior);
+    }
+  }
+}
+
+SaliencyMap find_salience(const cv::Mat3b& picture, const DisparityMap& map,
+                          const ViewGeometry& geometry, const SaliencySettings& settings) {
+  SaliencyMap result;
+  if (picture.empty()) return result;
+  result.salience = sum_of_maps(picture, map, settings);
+  normalise_and_cut(geometry, map, settings, result);
+  return result;
+}
+
+SaliencyFinder::SaliencyFinder(const SaliencySettings& settings)
+    : settings_(settings), cells_(V1Settings{}) {}
+
+/// Adds `channel_`, weighted, in units of its mean. Below `least_mean` it is noise and counts less.
+void SaliencyFinder::add_channel(double weight, double least_mean) {
+  if (weight <= 0.0) return;
+  const double mean = cv::mean(channel_)[0];
+  sum_ += weight / std::max(mean, least_mean) * channel_;
+}
+
+void SaliencyFinder::add_v1_channels(const cv::Mat1b& grey) {
+  constexpr double kLeastTexture = 6.0;  // grey levels, summed over orientations and scales
+  constexpr double kLeastShape = 12.0;
+  texture_.create(sum_.size());
+  texture_.setTo(0.0F);
+  shape_.create(sum_.size());
+  shape_.setTo(0.0F);
+  cells_.respond(grey, 0, false, responses_);
+  average_energy(responses_, sum_.size(), energy_);
+  if (settings_.texture > 0.0) {
+    for (const double sigma_px : {2.0, 4.0}) add_texture(energy_, sigma_px, texture_);
+  }
+  if (settings_.shape > 0.0) {
+    for (const double radius_px : {4.0, 8.0, 12.0}) add_shape(energy_, radius_px, shape_);
+  }
+  texture_.copyTo(channel_);
+  add_channel(settings_.texture, kLeastTexture);
+  shape_.copyTo(channel_);
+  add_channel(settings_.shape, kLeastShape);
+}
+
+void SaliencyFinder::sum_of_channels(const cv::Mat3b& picture, const DisparityMap& map) {
+  const cv::Size half = half_of(picture);
+  sum_.create(half);
+  sum_.setTo(0.0F);
+  channel_.create(half);
+  channel_.setTo(0.0F);
+  if (settings_.colour > 0.0) add_colour(picture, channel_);
+  add_channel(settings_.colour, settings_.least_contrast);
+  cv::Mat1b grey;
+  cv::cvtColor(picture, grey, cv::COLOR_BGR2GRAY);
+  if (settings_.texture > 0.0 || settings_.shape > 0.0) add_v1_channels(grey);
+  if (settings_.near > 0.0 && !map.disparity_px.empty()) {
+    channel_.setTo(0.0F);
+    add_blob_response(near_disparity(map, half, settings_), Rectify::half, channel_);
+    add_channel(settings_.near, settings_.least_contrast);
+  }
+  if (settings_.motion > 0.0) {
+    cv::Mat1b small;
+    cv::resize(grey, small, half, 0, 0, cv::INTER_AREA);
+    small.convertTo(small_grey_, CV_32F);
+    channel_.setTo(0.0F);
+    change_.add(small_grey_, channel_);
+    add_channel(settings_.motion, settings_.least_contrast);
+  }
+}
+
+SaliencyMap SaliencyFinder::find(const cv::Mat3b& picture, const DisparityMap& map,
+                                 const ViewGeometry& geometry) {
+  if (picture.empty() || settings_.setting == SaliencySetting::paper) {
+    return find_salience(picture, map, geometry, settings_);
+  }
+  sum_of_channels(picture, map);
+  const double sigma_px = 0.5 * settings_.smooth_px * picture.cols / 160.0;
+  cv::GaussianBlur(sum_, sum_, {0, 0}, std::max(0.3, sigma_px), 0, cv::BORDER_REFLECT);
+  SaliencyMap result;
+  cv::resize(sum_, result.salience, picture.size(), 0, 0, cv::INTER_LINEAR);
+  if (settings_.centre > 0.0) prefer_centre(settings_.centre, result.salience);
+  SaliencySettings cut = settings_;
+  cut.least_contrast = 1.0;  // in units of the channels' means
+  normalise_and_cut(geometry, map, cut, result);
   return result;
 }
 

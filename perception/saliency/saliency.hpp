@@ -3,10 +3,23 @@
 #include "config/settings.hpp"
 #include "perception/obstacles/view_geometry.hpp"
 #include "perception/percept.hpp"
+#include "perception/saliency/picture_change.hpp"
+#include "perception/saliency/v1_channels.hpp"
 
 namespace striate {
 
+/// Which channels make the salience.
+enum class SaliencySetting { paper, robust };
+
 struct SaliencySettings {
+  SaliencySetting setting = SaliencySetting::robust;
+  double colour = 1.0;  ///< weights of the robust channels; 0 switches one off
+  double texture = 1.0;
+  double shape = 1.0;
+  double near = 1.0;
+  double motion = 0.0;          ///< needs the picture before: off unless asked for
+  double centre = 0.0;          ///< 0..1: how much a Gaussian about the picture's middle counts
+  double smooth_px = 4.0;       ///< robust: the sum is blurred by this, at width 160
   double near_px = 6.0;         ///< disparities above count as near
   double near_gain = 1.5;       ///< weight of one px of disparity against one unit of CIE L*
   double least_contrast = 6.0;  ///< a picture whose strongest response is below stays dim
@@ -18,6 +31,18 @@ struct SaliencySettings {
 template <class V>
 void visit(V& v, SaliencySettings& s) {
   using config::Unit;
+  v.choice("setting", s.setting, {"paper", "robust"}, "the paper's channels, or ours too");
+  v.number("colour_weight", s.colour, Unit::none, {0.0, 10.0}, "robust: L*a*b* blobs");
+  v.number("texture_weight", s.texture, Unit::none, {0.0, 10.0},
+           "robust: V1 energy against its surround");
+  v.number("shape_weight", s.shape, Unit::none, {0.0, 10.0}, "robust: middles of compact things");
+  v.number("near_weight", s.near, Unit::none, {0.0, 10.0}, "robust: near things");
+  v.number("motion_weight", s.motion, Unit::none, {0.0, 10.0},
+           "robust: change that a shift of the picture does not explain");
+  v.number("centre_prior", s.centre, Unit::fraction, {0.0, 1.0},
+           "robust: how much the middle of the picture is preferred");
+  v.number("smooth", s.smooth_px, Unit::pixels, {0.5, 20.0},
+           "robust: blur of the sum, at width 160");
   v.number("near", s.near_px, Unit::pixels, {0.0, 200.0}, "larger disparities count as near");
   v.number("near_gain", s.near_gain, Unit::none, {0.0, 100.0},
            "weight of a pixel of disparity against a unit of CIE L*");
@@ -40,5 +65,37 @@ void visit(V& v, SaliencySettings& s) {
 [[nodiscard]] SaliencyMap find_salience(const cv::Mat3b& picture, const DisparityMap& map,
                                         const ViewGeometry& geometry,
                                         const SaliencySettings& settings);
+
+/// Weighs a map of any size with a Gaussian about its middle, sigma a quarter of width and height.
+/// `share` 0 leaves it alone, 1 multiplies. People look there more often, and pictures are taken
+/// so.
+void prefer_centre(double share, cv::Mat1f& salience);
+
+/// Salience in either setting. Keeps its buffers and, when motion is asked for, the picture before,
+/// which the first call and a change of size forget.
+///
+/// Robust (ours; the paper's future work): channels at half the working size, each divided by its
+/// own mean so that weights compare, then summed and blurred: colour (the paper's blobs), texture
+/// and shape (from V1 energy at lambda = 4 and 8), near (the paper's), motion. A channel whose mean
+/// is below its noise counts less, so a blank wall stays dim.
+class SaliencyFinder {
+ public:
+  explicit SaliencyFinder(const SaliencySettings& settings);
+  /// As find_salience(); `picture` may be empty.
+  [[nodiscard]] SaliencyMap find(const cv::Mat3b& picture, const DisparityMap& map,
+                                 const ViewGeometry& geometry);
+
+ private:
+  void sum_of_channels(const cv::Mat3b& picture, const DisparityMap& map);
+  void add_v1_channels(const cv::Mat1b& grey);
+  void add_channel(double weight, double least_mean);
+
+  SaliencySettings settings_;
+  V1Cells cells_;
+  V1Responses responses_;
+  OrientedEnergy energy_;
+  PictureChange change_;
+  cv::Mat1f channel_, texture_, shape_, sum_, small_grey_;
+};
 
 }  // namespace striate

@@ -1,0 +1,177 @@
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <map>
+#include <opencv2/imgproc.hpp>
+#include <opencv2/saliency.hpp>
+#include <sstream>
+
+#include "app/evaluation/evaluation.hpp"
+#include "app/evaluation/plot.hpp"
+#include "app/evaluation/report.hpp"
+#include "app/evaluation/saliency_scores.hpp"
+#include "app/perceive_files.hpp"
+#include "app/run_result.hpp"
+#include "config/user_error.hpp"
+#include "perception/saliency/saliency.hpp"
+
+namespace striate {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kWorkingWidth_px = 160;
+constexpr int kJudgedWidth_px = 400;
+/// One degree of view where the picture spans about 33 degrees, as in OSIE (24 px of 800).
+constexpr double kDegree_of_width = 0.03;
+
+using Fixations = std::map<std::string, std::vector<cv::Point2d>>;
+
+[[noreturn]] void refuse(const std::string& where, const std::string& why) {
+  throw UserError(
+      fmt::format("{}: {}; expected in the folder: fixations.csv with the first line\n"
+                  "  image,subject,order,x,y,duration_ms\n"
+                  "(x, y in px of the picture), and the pictures beside it or in stimuli/",
+                  where, why));
+}
+
+Fixations read_fixations(const fs::path& file) {
+  std::ifstream in(file);
+  std::string line;
+  if (!in || !std::getline(in, line)) refuse(file.string(), "is missing or empty");
+  if (line.rfind("image,subject,order,x,y", 0) != 0) {
+    refuse(file.string() + ":1", "is not the heading of such a file");
+  }
+  Fixations fixations;
+  for (int number = 2; std::getline(in, line); ++number) {
+    if (line.empty() || line == "\r") continue;
+    std::stringstream row(line);
+    std::array<std::string, 5> cells;
+    for (std::string& cell : cells) std::getline(row, cell, ',');
+    try {
+      const cv::Point2d at(std::stod(cells[3]), std::stod(cells[4]));
+      if (!std::isfinite(at.x) || !std::isfinite(at.y)) throw std::out_of_range("not finite");
+      fixations[cells[0]].push_back(at);
+    } catch (const std::logic_error&) {
+      refuse(fmt::format("{}:{}", file.string(), number), "x and y are no numbers");
+    }
+  }
+  if (fixations.empty()) refuse(file.string(), "holds no fixation");
+  return fixations;
+}
+
+cv::Mat1f opencv_map(cv::saliency::StaticSaliency& method, const cv::Mat3b& picture) {
+  cv::Mat map;
+  method.computeSaliency(picture, map);
+  cv::Mat1f result;
+  map.convertTo(result, CV_32F, map.depth() == CV_8U ? 1.0 / 255.0 : 1.0);
+  return result;
+}
+
+cv::Mat1f our_map(const SaliencySettings& settings, const cv::Mat3b& picture) {
+  const int height = std::max(
+      1, static_cast<int>(std::lround(1.0 * picture.rows * kWorkingWidth_px / picture.cols)));
+  cv::Mat3b small;
+  cv::resize(picture, small, {kWorkingWidth_px, height}, 0, 0, cv::INTER_AREA);
+  return SaliencyFinder(settings).find(small, {}, ViewGeometry({}, {}, {})).salience;
+}
+
+struct Method {
+  std::string name;
+  std::function<cv::Mat1f(const cv::Mat3b&)> map;
+  bool centre_prior = false;
+  SaliencyScores sum;
+};
+
+std::vector<Method> methods() {
+  SaliencySettings paper;
+  paper.setting = SaliencySetting::paper;
+  auto ours = [](SaliencySettings s) { return [s](const cv::Mat3b& p) { return our_map(s, p); }; };
+  auto spectral = [](const cv::Mat3b& p) {
+    return opencv_map(*cv::saliency::StaticSaliencySpectralResidual::create(), p);
+  };
+  auto fine = [](const cv::Mat3b& p) {
+    return opencv_map(*cv::saliency::StaticSaliencyFineGrained::create(), p);
+  };
+  SaliencySettings colour, texture, shape;
+  colour.texture = colour.shape = 0.0;
+  texture.colour = texture.shape = 0.0;
+  shape.colour = shape.texture = 0.0;
+  std::vector<Method> all = {{"paper", ours(paper), false, {}},
+                             {"robust", ours({}), false, {}},
+                             {"robust: colour alone", ours(colour), false, {}},
+                             {"robust: texture alone", ours(texture), false, {}},
+                             {"robust: shape alone", ours(shape), false, {}},
+                             {"OpenCV spectral residual", spectral, false, {}},
+                             {"OpenCV fine-grained", fine, false, {}}};
+  auto one = [](const cv::Mat3b& p) { return cv::Mat1f(p.size(), 1.0F); };
+  all.push_back({"centre prior alone", one, true, {}});
+  for (const std::size_t k : {0U, 1U, 5U, 6U}) {
+    all.push_back({all[k].name + " + centre prior", all[k].map, true, {}});
+  }
+  return all;
+}
+
+void judge(const cv::Mat3b& picture, const std::vector<cv::Point2d>& fixations,
+           std::vector<Method>& all) {
+  const double scale = std::min(1.0, 1.0 * kJudgedWidth_px / picture.cols);
+  const cv::Size size(std::max(1, static_cast<int>(std::lround(picture.cols * scale))),
+                      std::max(1, static_cast<int>(std::lround(picture.rows * scale))));
+  std::vector<cv::Point> points;
+  for (const cv::Point2d& p : fixations) {
+    const cv::Point at(static_cast<int>(std::floor(p.x * scale)),
+                       static_cast<int>(std::floor(p.y * scale)));
+    if (at.x >= 0 && at.x < size.width && at.y >= 0 && at.y < size.height) points.push_back(at);
+  }
+  if (points.empty()) return;
+  for (Method& method : all) {
+    cv::Mat1f map = method.map(picture);
+    cv::resize(map, map, size, 0, 0, cv::INTER_LINEAR);
+    if (method.centre_prior) prefer_centre(1.0, map);
+    const SaliencyScores s = score_salience(map, points, kDegree_of_width * size.width);
+    method.sum.auc_judd += s.auc_judd;
+    method.sum.nss += s.nss;
+    method.sum.cc += s.cc;
+  }
+}
+
+void tell(const std::vector<Method>& all, int pictures, const std::string& out) {
+  Report report(fmt::format("Saliency against eye fixations, mean of {} pictures", pictures),
+                {"method", "AUC-Judd", "NSS", "CC"});
+  BarPlot plot{"Saliency against eye fixations", "score", {"AUC-Judd", "NSS", "CC"}, {}};
+  for (const Method& m : all) {
+    const double n = pictures;
+    report.add_row({m.name, fmt::format("{:.3f}", m.sum.auc_judd / n),
+                    fmt::format("{:.3f}", m.sum.nss / n), fmt::format("{:.3f}", m.sum.cc / n)});
+    plot.series.push_back({m.name, {m.sum.auc_judd / n, m.sum.nss / n, m.sum.cc / n}});
+  }
+  fmt::print("{}", report.text());
+  fmt::print("working width {} px; judged at {} px; fixations blurred with sigma {:.0f} px there\n",
+             kWorkingWidth_px, kJudgedWidth_px, kDegree_of_width * kJudgedWidth_px);
+  write_file(out + "/saliency.csv", report.csv());
+  write_file(out + "/saliency.svg", plot.svg());
+}
+
+}  // namespace
+
+int evaluate_saliency(const EvalOptions& options) {
+  const fs::path folder = options.folder;
+  if (!fs::is_directory(folder)) refuse(options.folder, "is no folder");
+  const Fixations fixations = read_fixations(folder / "fixations.csv");
+  check_writable(options.out + "/saliency.csv");
+  std::vector<Method> all = methods();
+  int pictures = 0;
+  for (const auto& [name, points] : fixations) {
+    const fs::path inner = folder / "stimuli" / name;
+    judge(read_any_picture(fs::exists(inner) ? inner : folder / name), points, all);
+    ++pictures;
+  }
+  tell(all, pictures, options.out);
+  return 0;
+}
+
+}  // namespace striate

@@ -1,0 +1,115 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <opencv2/imgcodecs.hpp>
+#include <sstream>
+
+#include "app/perceive_files.hpp"
+#include "app/pfm.hpp"
+#include "config/user_error.hpp"
+
+namespace striate {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+class HostileInput : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ =
+        fs::temp_directory_path() / (std::string("striate_hostile_") +
+                                     testing::UnitTest::GetInstance()->current_test_info()->name());
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  [[nodiscard]] fs::path write(const cv::Mat& picture) const {
+    cv::imwrite((folder_ / "p.png").string(), picture);
+    return folder_ / "p.png";
+  }
+  [[nodiscard]] static std::string error_of(const fs::path& file) {
+    try {
+      (void)read_any_picture(file);
+    } catch (const UserError& e) {
+      return e.what();
+    }
+    return "";
+  }
+
+  fs::path folder_;
+};
+
+std::string pfm(const std::string& header, const std::vector<float>& values) {
+  return header + std::string(reinterpret_cast<const char*>(values.data()), 4 * values.size());
+}
+
+std::string pfm_error(const std::string& bytes) {
+  std::istringstream in(bytes);
+  try {
+    (void)read_pfm(in, "f.pfm");
+  } catch (const UserError& e) {
+    return e.what();
+  }
+  return "";
+}
+
+TEST_F(HostileInput, TinyHugeAndLongPicturesAreRefusedWithTheirSize) {
+  EXPECT_THAT(error_of(write(cv::Mat1b(1, 1, uchar{3}))), HasSubstr("p.png: is 1 x 1 px"));
+  EXPECT_THAT(error_of(write(cv::Mat1b(8000, 8000, uchar{3}))), HasSubstr("8000 x 8000"));
+  EXPECT_THAT(error_of(write(cv::Mat1b(100, 20000, uchar{3}))), HasSubstr("20000 x 100"));
+}
+
+TEST_F(HostileInput, TruncatedEmptyAndMissingFilesAreNoPictures) {
+  const fs::path whole = write(cv::Mat3b(64, 64, cv::Vec3b(1, 2, 3)));
+  fs::resize_file(whole, 40);
+  EXPECT_THAT(error_of(whole), HasSubstr("is no picture"));
+  std::ofstream(folder_ / "empty.png").flush();
+  EXPECT_THAT(error_of(folder_ / "empty.png"), HasSubstr("is no picture"));
+  EXPECT_THAT(error_of(folder_), HasSubstr("is a folder"));
+  EXPECT_THAT(error_of(folder_ / "nowhere.png"), HasSubstr("no such file"));
+}
+
+TEST_F(HostileInput, SixteenBitsAreScaledAndAlphaIsDropped) {
+  const cv::Mat3b deep = read_any_picture(write(cv::Mat1w(32, 32, ushort{200 * 257})));
+  EXPECT_EQ(deep(5, 5), cv::Vec3b::all(200));
+  const cv::Mat3b clear = read_any_picture(write(cv::Mat4b(32, 32, cv::Vec4b(9, 8, 7, 0))));
+  EXPECT_EQ(clear(5, 5), cv::Vec3b(9, 8, 7));
+}
+
+TEST_F(HostileInput, BlackAndWhitePairsGiveAnAnswer) {
+  for (const uchar grey : {uchar{0}, uchar{255}}) {
+    PerceiveOptions options;
+    options.left = options.right = write(cv::Mat1b(120, 160, grey));
+    options.out = folder_ / "out";
+    EXPECT_EQ(perceive(options), 0);
+  }
+}
+
+TEST(Pfm, ReadsBothEndiansUprightAndTurnsNanToUnknown) {
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  std::istringstream little(pfm("Pf\n2 2\n-1.0\n", {1.0F, 2.0F, nan, 4.0F}));
+  const cv::Mat1f read = read_pfm(little, "f.pfm");
+  EXPECT_EQ(read(1, 0), 1.0F);
+  EXPECT_EQ(read(0, 1), 4.0F);
+  EXPECT_EQ(read(0, 0), std::numeric_limits<float>::infinity());
+  std::istringstream big(std::string("Pf\n1 1\n1.0\n") + std::string("\x3F\x80\x00\x00", 4));
+  EXPECT_EQ(read_pfm(big, "f.pfm")(0, 0), 1.0F);
+}
+
+TEST(Pfm, RefusesWhatIsNoGreyPfm) {
+  EXPECT_THAT(pfm_error(""), HasSubstr("f.pfm: does not begin with Pf"));
+  EXPECT_THAT(pfm_error("PF\n1 1\n-1\n"), HasSubstr("three channels"));
+  EXPECT_THAT(pfm_error("Pf\n-1 1\n-1\n"), HasSubstr("no number"));
+  EXPECT_THAT(pfm_error("Pf\n99999999999 1\n-1\n"), HasSubstr("16384"));
+  EXPECT_THAT(pfm_error("Pf\n16000 16000\n-1\n"), HasSubstr("40 million"));
+  EXPECT_THAT(pfm_error("Pf\n1 1\nnan\n1234"), HasSubstr("scale"));
+  EXPECT_THAT(pfm_error("Pf\n2 2\n-1\n1234"), HasSubstr("ends too early"));
+}
+
+}  // namespace
+}  // namespace striate
