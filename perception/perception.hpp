@@ -18,7 +18,8 @@ struct PerceptionSettings {
                           ///< is the working size of everything but keypoints
   ObstacleSettings obstacles;
   CorridorSettings corridor;
-  SaliencySettings saliency;
+  /// The paper's in the cycle: 0.5 ms a picture, where robust takes 2.5.
+  SaliencySettings saliency{.setting = SaliencySetting::paper};
   KeypointSettings keypoints;
   int keypoints_every = 5;  ///< pictures; in between the percept has no keypoints; 0: never
   int saliency_every = 1;   ///< pictures; in between the percept has no saliency

@@ -21,7 +21,7 @@ constexpr Kind kKinds[] = {
      "im0.png, im1.png, disp0.pfm (2014); or left.png, right.png, disparity.pfm.",
      evaluate_stereo},
     {"keypoints",
-     "repeatability of keypoints in pictures of flat scenes; ORB, BRISK, AKAZE and SIFT beside.\n"
+     "Repeatability of keypoints in pictures of flat scenes; ORB, BRISK, AKAZE and SIFT beside.\n"
      "Folder, or its subfolders: img1.ppm, img2.ppm, H1to2p, ... (Oxford)\n"
      "or 1.ppm, 2.ppm, H_1_2, ... (HPatches); also pgm, png, jpg, bmp",
      evaluate_keypoints},
@@ -30,7 +30,7 @@ constexpr Kind kKinds[] = {
      "(Oxford) or 1.* and H_1_2 (HPatches), or info.txt, m50_*.txt and mosaics (Brown/Winder)",
      evaluate_patches},
     {"objects",
-     "objects found in scenes; ORB, BRISK and SIFT beside.\n"
+     "Objects found in scenes; ORB, BRISK and SIFT beside.\n"
      "Folder: objects/NAME/*.png, scenes/*.png, truth.json ({\"scene\": [\"NAME\", ...]});\n"
      "or JSK ARC 2017; or pairs NAME.png, NAME_in_scene.png",
      evaluate_objects},
@@ -49,7 +49,6 @@ void add_eval_command(CLI::App& app, int& exit_code) {
       "prints a table and writes it as CSV and as a plot (SVG).");
   command->require_subcommand(1);
   for (const Kind& kind : kKinds) {
-    if (kind.name == nullptr) continue;
     auto options = std::make_shared<EvalOptions>();
     options->out = std::string("out/eval_") + kind.name;
     CLI::App* one = command->add_subcommand(kind.name, kind.help);

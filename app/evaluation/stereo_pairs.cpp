@@ -7,7 +7,7 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "app/evaluation/pfm.hpp"
+#include "app/pfm.hpp"
 #include "config/user_error.hpp"
 
 namespace striate {

@@ -76,7 +76,7 @@ void prefer_centre(double share, cv::Mat1f& salience);
 ///
 /// Robust (ours; the paper's future work): channels at half the working size, each divided by its
 /// own mean so that weights compare, then summed and blurred: colour (the paper's blobs), texture
-/// and shape (from V1 energy at lambda = 4 and 8), near (the paper's), motion. A channel whose mean
+/// and shape (from V1 energy at lambda = 4), near (the paper's), motion. A channel whose mean
 /// is below its noise counts less, so a blank wall stays dim.
 class SaliencyFinder {
  public:

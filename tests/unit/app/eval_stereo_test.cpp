@@ -9,7 +9,7 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "app/evaluation/evaluation.hpp"
-#include "app/evaluation/pfm.hpp"
+#include "app/pfm.hpp"
 #include "app/evaluation/stereo_methods.hpp"
 #include "config/user_error.hpp"
 #include "tests/reference/test_pictures.hpp"
