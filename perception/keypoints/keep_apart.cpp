@@ -28,7 +28,7 @@ void KeepApart::begin(int width, int height, double finest_radius_px, int scales
   }
 }
 
-bool KeepApart::is_near(const Place& place, const Grid& grid) const {
+bool KeepApart::is_near(const FoundPlace& place, const Grid& grid) const {
   // Radii differ by at most an octave, so that none reaches further than a cell of the other.
   const double reach_px = std::max(place.radius_px, grid.cell_px);
   const int left = cell_of(place.u_px - reach_px, grid.cell_px, grid.columns);
@@ -39,7 +39,7 @@ bool KeepApart::is_near(const Place& place, const Grid& grid) const {
     for (int column = left; column <= right; ++column) {
       int at = grid.first[static_cast<std::size_t>(row * grid.columns + column)];
       for (; at >= 0; at = noted_[static_cast<std::size_t>(at)].next) {
-        const Place& other = noted_[static_cast<std::size_t>(at)].place;
+        const FoundPlace& other = noted_[static_cast<std::size_t>(at)].place;
         const double radius_px = std::max(place.radius_px, other.radius_px);
         const double du = place.u_px - other.u_px, dv = place.v_px - other.v_px;
         if (du * du + dv * dv < radius_px * radius_px) return true;
@@ -49,7 +49,7 @@ bool KeepApart::is_near(const Place& place, const Grid& grid) const {
   return false;
 }
 
-bool KeepApart::keep(const Place& place, int scale) {
+bool KeepApart::keep(const FoundPlace& place, int scale) {
   const int last = static_cast<int>(grids_.size()) - 1;
   for (int s = std::max(0, scale - kNeighbours); s <= std::min(last, scale + kNeighbours); ++s) {
     if (is_near(place, grids_[static_cast<std::size_t>(s)])) return false;

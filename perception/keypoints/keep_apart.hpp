@@ -5,7 +5,7 @@
 namespace striate {
 
 /// A place with the distance within which it suffers no weaker one.
-struct Place {
+struct FoundPlace {
   double u_px = 0.0;
   double v_px = 0.0;
   double radius_px = 0.0;
@@ -21,11 +21,11 @@ class KeepApart {
   void begin(int width, int height, double finest_radius_px, int scales);
 
   /// True, and the place is noted, where nothing stronger is near. @param scale of its radius.
-  bool keep(const Place& place, int scale);
+  bool keep(const FoundPlace& place, int scale);
 
  private:
   struct Noted {
-    Place place;
+    FoundPlace place;
     int next = -1;  ///< in the same cell
   };
   struct Grid {
@@ -33,7 +33,7 @@ class KeepApart {
     int columns = 0, rows = 0;
     std::vector<int> first;  ///< of each cell's chain, in noted_
   };
-  [[nodiscard]] bool is_near(const Place& place, const Grid& grid) const;
+  [[nodiscard]] bool is_near(const FoundPlace& place, const Grid& grid) const;
 
   std::vector<Grid> grids_;  ///< one a scale
   std::vector<Noted> noted_;

@@ -80,8 +80,8 @@ void KeypointFinder::choose(cv::Size picture) {
   std::size_t kept = 0;
   for (const Candidate& candidate : candidates_) {
     const double size_px = level_px(candidate.scale);
-    const Place place{(candidate.u_px + 0.5) * size_px, (candidate.v_px + 0.5) * size_px,
-                      radius_px * std::pow(2.0, 0.5 * candidate.scale)};
+    const FoundPlace place{(candidate.u_px + 0.5) * size_px, (candidate.v_px + 0.5) * size_px,
+                           radius_px * std::pow(2.0, 0.5 * candidate.scale)};
     if (kept < most && keep_apart_.keep(place, candidate.scale)) candidates_[kept++] = candidate;
   }
   candidates_.resize(kept);
