@@ -33,10 +33,14 @@ PathPlanner::PathPlanner() : price_(kNodes), cost_(kNodes), from_(kNodes), chose
   queue_.reserve(static_cast<std::size_t>(kNodes) * 8);
 }
 
-Point2 PathPlanner::place_of(int node) const {
+double PathPlanner::advance_of(int node) {
   const int along = node / kWide - kBehind;
+  return along * kStep_m;
+}
+
+Point2 PathPlanner::place_of(int node) const {
   const int aside = node % kWide - kAside;
-  return to_outer(frame_, Point2{along * kStep_m, aside * kStep_m});
+  return to_outer(frame_, Point2{advance_of(node), aside * kStep_m});
 }
 
 const Way& PathPlanner::plan(const FloorField& field, const Pose2& robot,
@@ -69,7 +73,7 @@ void PathPlanner::mark_last_way() {
 
 float PathPlanner::price_of(const FloorField& field, const PlanRequest& request, int node) const {
   const Point2 place = place_of(node);
-  const Point2 inner{(node / kWide - kBehind) * kStep_m, (node % kWide - kAside) * kStep_m};
+  const Point2 inner{advance_of(node), (node % kWide - kAside) * kStep_m};
   const double margin_m = field.clearance_m(place) - request.half_width_m;
   const FloorState state = field.state(place);
   // Beyond a remembered wall unknown is not a way: a blank wall leaves no trace in the map.
@@ -156,7 +160,7 @@ int PathPlanner::best_end() const {
   float least = kInfinite;
   for (int node = 0; node < kNodes; ++node) {
     const float cost = cost_[static_cast<std::size_t>(node)];
-    const double advance_m = (node / kWide - kBehind) * kStep_m;
+    const double advance_m = advance_of(node);
     if (cost == kInfinite || advance_m < kLeastAdvance_m) continue;
     const float score = cost - kProgressWorth * static_cast<float>(advance_m);
     if (score < least) {
@@ -172,7 +176,7 @@ void PathPlanner::trace(int end, const FloorField& field, const PlanRequest& req
   for (int node = end; node >= 0; node = from_[static_cast<std::size_t>(node)]) ++length;
   way_.count = std::min(length, Way::kCapacity);
   way_.found = true;
-  way_.progress_m = (end / kWide - kBehind) * kStep_m;
+  way_.progress_m = advance_of(end);
   way_.reaches_far = end / kWide == kLong - 1;
   way_.least_margin_m = FloorField::kFar_m;
   std::size_t at = length;

@@ -56,7 +56,8 @@ class PathPlanner {
     int node;
   };
   static constexpr int kNodes = kLong * kWide;
-  [[nodiscard]] Point2 place_of(int node) const;  // odometry frame
+  [[nodiscard]] static double advance_of(int node);  ///< along the wanted direction
+  [[nodiscard]] Point2 place_of(int node) const;     // odometry frame
   void mark_last_way();
   void price(const FloorField& field, const PlanRequest& request);
   [[nodiscard]] float price_of(const FloorField& field, const PlanRequest& request, int node) const;

@@ -10,9 +10,8 @@ namespace {
 
 constexpr double kAhead_m = 5.0;
 constexpr double kNearest_m = 0.35;
-constexpr double kFarthest_m = 3.15;
 constexpr double kBin_m = 0.05;
-constexpr int kBins = 56;  // (kFarthest_m - kNearest_m) / kBin_m
+constexpr int kBins = 56;  // up to 3.15 m
 constexpr double kPiece_m = 0.25;
 constexpr double kPiecesFrom_m = 7.5;
 constexpr int kTurns = 12;

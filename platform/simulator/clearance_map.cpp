@@ -62,7 +62,8 @@ void ClearanceMap::fill(const World& world, const FloorPlan& plan) {
 }
 
 Point2 ClearanceMap::place_of(int cell) const {
-  return {origin_.x_m + kCellM * (cell % columns_), origin_.y_m + kCellM * (cell / columns_)};
+  const int column = cell % columns_, row = cell / columns_;
+  return {origin_.x_m + kCellM * column, origin_.y_m + kCellM * row};
 }
 
 int ClearanceMap::cell_at(Point2 place) const {

@@ -162,7 +162,8 @@ class Baker {
     const Patch& patch = stage_.patches[packet.rays.hit.primID[lane]];
     if (dot(patch.normal, d) > 0.0F) return kDark;
     const auto nearest = [](float x, int count) {
-      return std::clamp(static_cast<int>(x * static_cast<float>(count - 1) + 0.5F), 0, count - 1);
+      return std::clamp(static_cast<int>(std::floor(x * static_cast<float>(count - 1) + 0.5F)), 0,
+                        count - 1);
     };
     return patch.light_at + nearest(packet.rays.hit.v[lane], patch.light_v) * patch.light_u +
            nearest(packet.rays.hit.u[lane], patch.light_u);

@@ -70,10 +70,10 @@ std::array<V4, 6> LightProbes::measure(const Stage& stage, const BakedLight& bak
         const Material& material = stage.materials[patch.material];
         const bool back = dot(patch.normal, d) > 0.0F;
         const int texel = patch.light_at + patch.light_u * (patch.light_v / 2) + patch.light_u / 2;
-        const auto u =
-            static_cast<int>(packet.rays.hit.u[k] * static_cast<float>(patch.light_u - 1) + 0.5F);
-        const auto v =
-            static_cast<int>(packet.rays.hit.v[k] * static_cast<float>(patch.light_v - 1) + 0.5F);
+        const auto u = static_cast<int>(
+            std::floor(packet.rays.hit.u[k] * static_cast<float>(patch.light_u - 1) + 0.5F));
+        const auto v = static_cast<int>(
+            std::floor(packet.rays.hit.v[k] * static_cast<float>(patch.light_v - 1) + 0.5F));
         const int there = patch.light_at + std::clamp(v, 0, patch.light_v - 1) * patch.light_u +
                           std::clamp(u, 0, patch.light_u - 1);
         radiosity =

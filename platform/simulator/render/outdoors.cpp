@@ -29,7 +29,7 @@ Outdoors::Outdoors() {
   for (int y = 0; y < kHeight; ++y) {
     for (int x = 0; x < kWidth; ++x) {
       map_.push_back(painted_outdoors(static_cast<float>(x) / kWidth,
-                                      (static_cast<float>(y) + 0.5F) / (kHeight / 2) - 1.0F));
+                                      (static_cast<float>(y) + 0.5F) / kHalfHeight - 1.0F));
     }
   }
 }
@@ -38,7 +38,7 @@ V4 Outdoors::operator()(Vec3 direction) const {
   const Vec3 d = unit(direction);
   const float around = std::atan2(d.y, d.x) / (2.0F * std::numbers::pi_v<float>)+1.0F;
   const float x = around * kWidth;
-  const float y = std::clamp((d.z + 1.0F) * (kHeight / 2) - 0.5F, 0.0F, kHeight - 1.001F);
+  const float y = std::clamp((d.z + 1.0F) * kHalfHeight - 0.5F, 0.0F, kHeight - 1.001F);
   const int x0 = static_cast<int>(x);
   const int y0 = static_cast<int>(y);
   const auto at = [this](int column, int row) {

@@ -16,6 +16,7 @@ class Outdoors {
  private:
   static constexpr int kWidth = 512;   ///< azimuth, all around
   static constexpr int kHeight = 128;  ///< by rise over distance, -1 .. 1
+  static constexpr float kHalfHeight = kHeight * 0.5F;
   std::vector<V4> map_;
 };
 

@@ -126,7 +126,8 @@ void Shader::shade(const Packet& packet, float spread, const float* before_m, Sh
       continue;
     }
     const unsigned id = packet.rays.hit.primID[i] * 2 + packet.rays.hit.geomID[i];
-    if (id != seen) look = look_at(packet, i, spread, before_m == nullptr ? 0.0F : before_m[i]);
+    if (id != seen || look.patch == nullptr)
+      look = look_at(packet, i, spread, before_m == nullptr ? 0.0F : before_m[i]);
     seen = id;
     const Patch& patch = *look.patch;
     pixel.group = patch.group;
