@@ -17,6 +17,8 @@ constexpr const char* kAbout =
     "      shows what the robot sees at a place of a world\n"
     "  striate perceive --left L.png --right R.png --out DIR\n"
     "      shows what the vision makes of any picture pair\n"
+    "  striate eval patches DIR\n"
+    "      measures the vision on your own data, beside OpenCV's methods\n"
     "  striate check config/tasks/*.yaml config/worlds/*.yaml\n"
     "      tells every mistake of task scripts, worlds and settings";
 

@@ -1,14 +1,13 @@
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
-#include <hwy/targets.h>
 
-#include <cstdlib>
 #include <map>
 #include <opencv2/features2d.hpp>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
 #include "perception/keypoints/keypoints.hpp"
+#include "tests/benchmarks/in_turns.hpp"
 #include "tests/reference/test_pictures.hpp"
 
 /// keypoint_benchmark [PICTURE]: keypoints with descriptors at 640x480 on one core; without a
@@ -98,21 +97,9 @@ cv::Mat1b picture_of(int argc, char** argv) {
 }  // namespace striate
 
 int main(int argc, char** argv) {
-  cv::setNumThreads(1);
-  std::vector<std::string> arguments(argv, argv + argc);
-  // In turns, so that a machine that slows down slows all methods; flags of one's own come later.
-  arguments.insert(arguments.begin() + 1,
-                   {"--benchmark_enable_random_interleaving=true", "--benchmark_repetitions=9",
-                    "--benchmark_min_time=0.05", "--benchmark_display_aggregates_only=true"});
-  std::vector<char*> pointers;
-  for (std::string& argument : arguments) pointers.push_back(argument.data());
-  int count = static_cast<int>(pointers.size());
-  benchmark::Initialize(&count, pointers.data());
-  if (const char* targets = std::getenv("STRIATE_TARGETS")) {
-    hwy::SetSupportedTargetsForTest(std::atoll(targets));
-  }
-  const cv::Mat1b picture = striate::picture_of(count, pointers.data());
-  if (count > 2 || picture.empty()) {
+  striate::InTurns turns(argc, argv, 9, "0.05");
+  const cv::Mat1b picture = striate::picture_of(turns.count(), turns.arguments());
+  if (turns.count() > 2 || picture.empty()) {
     fmt::print(stderr, "keypoint_benchmark [PICTURE]: one picture that can be read\n");
     return 2;
   }

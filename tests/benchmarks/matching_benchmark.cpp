@@ -9,6 +9,7 @@
 
 #include "perception/keypoints/keypoints.hpp"
 #include "perception/matching/hamming_search.hpp"
+#include "tests/benchmarks/in_turns.hpp"
 #include "tests/reference/hamming_reference.hpp"
 #include "tests/reference/test_pictures.hpp"
 
@@ -167,17 +168,8 @@ void add_benchmarks(const std::string& what, const Data& data) {
 }  // namespace striate
 
 int main(int argc, char** argv) {
-  cv::setNumThreads(1);
-  std::vector<std::string> arguments(argv, argv + argc);
-  // In turns, so that a machine that slows down slows all methods; flags of one's own come later.
-  arguments.insert(arguments.begin() + 1,
-                   {"--benchmark_enable_random_interleaving=true", "--benchmark_repetitions=5",
-                    "--benchmark_min_time=0.02", "--benchmark_display_aggregates_only=true"});
-  std::vector<char*> pointers;
-  for (std::string& argument : arguments) pointers.push_back(argument.data());
-  int count = static_cast<int>(pointers.size());
-  benchmark::Initialize(&count, pointers.data());
-  if (benchmark::ReportUnrecognizedArguments(count, pointers.data())) return 2;
+  striate::InTurns turns(argc, argv, 5, "0.02");
+  if (turns.refuse_arguments()) return 2;
   using striate::reference::random_descriptors;
   const std::map<std::string, striate::Data> all = {
       {"100,000 random", striate::complete(random_descriptors(100'000, 1))},

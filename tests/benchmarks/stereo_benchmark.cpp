@@ -1,13 +1,12 @@
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
-#include <hwy/targets.h>
 
-#include <cstdlib>
 #include <map>
 #include <opencv2/calib3d.hpp>
 
 #include "perception/keypoints/keypoints.hpp"
 #include "perception/stereo/stereo_matcher.hpp"
+#include "tests/benchmarks/in_turns.hpp"
 #include "tests/reference/stereo_reference.hpp"
 #include "tests/reference/test_pictures.hpp"
 
@@ -130,20 +129,8 @@ void register_all() {
 }  // namespace striate
 
 int main(int argc, char** argv) {
-  cv::setNumThreads(1);
-  std::vector<std::string> arguments(argv, argv + argc);
-  // In turns, so that a machine that slows down slows all methods; flags of one's own come later.
-  arguments.insert(arguments.begin() + 1,
-                   {"--benchmark_enable_random_interleaving=true", "--benchmark_repetitions=9",
-                    "--benchmark_min_time=0.05", "--benchmark_display_aggregates_only=true"});
-  std::vector<char*> pointers;
-  for (std::string& argument : arguments) pointers.push_back(argument.data());
-  int count = static_cast<int>(pointers.size());
-  benchmark::Initialize(&count, pointers.data());
-  if (benchmark::ReportUnrecognizedArguments(count, pointers.data())) return 2;
-  if (const char* targets = std::getenv("STRIATE_TARGETS")) {
-    hwy::SetSupportedTargetsForTest(std::atoll(targets));
-  }
+  striate::InTurns turns(argc, argv, 9, "0.05");
+  if (turns.refuse_arguments()) return 2;
   striate::register_all();
   striate::Medians medians;
   benchmark::RunSpecifiedBenchmarks(&medians);
