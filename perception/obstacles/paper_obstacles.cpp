@@ -25,16 +25,17 @@ cv::Mat1b threshold_map(const DisparityMap& map, const ViewGeometry& geometry,
   return binary;
 }
 
-double median(std::vector<float>& values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
+/// What a tenth of the pixels is nearer than: the nearest part counts, a few wrong pixels do not.
+double near_level(std::vector<float>& values) {
+  const auto near = values.begin() + static_cast<std::ptrdiff_t>(values.size() * 9 / 10);
+  std::nth_element(values.begin(), near, values.end());
+  return *near;
 }
 
 struct Blob {
   cv::Rect box;
   int label = 0;
-  double level_px = 0.0;  ///< median level disparity
+  double level_px = 0.0;  ///< level disparity of its nearest part
 };
 
 Obstacle describe(const Blob& blob, const ViewGeometry& geometry) {
@@ -81,7 +82,7 @@ void block_columns(std::vector<Column>& columns, const DisparityMap& map,
   for (int u = blob.box.x; u < blob.box.x + blob.box.width; ++u) {
     std::vector<float> levels = levels_in(map, geometry, labels, blob, {u, u + 1});
     if (levels.empty()) continue;
-    const Point2 at = geometry.level_point(u, median(levels));
+    const Point2 at = geometry.level_point(u, near_level(levels));
     const double distance_m = std::hypot(at.x_m, at.y_m);
     if (distance_m >= columns[u].obstacle_m) continue;
     columns[u].bearing_rad = std::atan2(at.y_m, at.x_m);
@@ -113,7 +114,7 @@ ObstacleView find_obstacles_as_in_paper(const DisparityMap& map, const HeadPose&
         label};
     std::vector<float> levels =
         levels_in(map, geometry, labels, blob, {blob.box.x, blob.box.x + blob.box.width});
-    blob.level_px = median(levels);
+    blob.level_px = near_level(levels);
     view.obstacles.push_back(describe(blob, geometry));
     block_columns(view.columns, map, geometry, labels, blob);
   }
