@@ -171,6 +171,13 @@ TEST(PaperObstacles, ThresholdsTheDisparityIntoBlobs) {
   EXPECT_NEAR(view.columns[79].free_to_m, view.columns[79].obstacle_m, 1e-9);
 }
 
+TEST(PaperObstacles, TheNearThingBelowCountsAndNotTheLargerOneAboveAndBehindIt) {
+  const Room room{
+      {{2.0, 2.5, -0.3, 0.3, 0.0, 0.9}, {2.7, 3.0, -0.3, 0.3, 0.0, 2.4}}, true, 5.0, 5.0};
+  const ObstacleView view = find_obstacles_as_in_paper(look(room, {}), {}, {}, {});
+  EXPECT_NEAR(column_at(view, 0.0).obstacle_m, 2.0, 0.15);
+}
+
 TEST(PaperObstacles, AnEmptyMapHasNone) {
   EXPECT_TRUE(find_obstacles_as_in_paper({}, {}, {}, {}).columns.empty());
   EXPECT_TRUE(find_obstacles({}, {}, {}, {}).columns.empty());
