@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <exception>
+#include <opencv2/core/utility.hpp>
 
 #include "app/commands/commands.hpp"
 #include "config/user_error.hpp"
@@ -52,6 +53,9 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  // One thread: pictures are small, a robot's cycle must not wait for a busy pool, and trials use
+  // the cores by running missions side by side.
+  cv::setNumThreads(1);
   try {
     return run(argc, argv);
   } catch (const striate::UserError& error) {
