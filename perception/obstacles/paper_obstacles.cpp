@@ -25,9 +25,9 @@ cv::Mat1b threshold_map(const DisparityMap& map, const ViewGeometry& geometry,
   return binary;
 }
 
-/// What a tenth of the pixels is nearer than: the nearest part counts, a few wrong pixels do not.
+/// What a fifth of the pixels is nearer than: the nearest part counts, a few wrong pixels do not.
 double near_level(std::vector<float>& values) {
-  const auto near = values.begin() + static_cast<std::ptrdiff_t>(values.size() * 9 / 10);
+  const auto near = values.begin() + static_cast<std::ptrdiff_t>(values.size() * 4 / 5);
   std::nth_element(values.begin(), near, values.end());
   return *near;
 }
