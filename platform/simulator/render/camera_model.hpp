@@ -46,21 +46,21 @@ class Sensor {
  public:
   Sensor(const CameraSettings& settings, Eye eye, std::uint64_t seed);
 
-  cv::Mat3b expose(std::vector<V4> light, const Exposure& exposure, const Smear& smear,
+  cv::Mat3b expose(const std::vector<V4>& light, const Exposure& exposure, const Smear& smear,
                    std::uint64_t frame);
 
  private:
-  void blur_by_lens(std::vector<V4>& light);
-  void smear_rows(std::vector<V4>& light, float length_px) const;
-  void smear_columns(std::vector<V4>& light, float length_px) const;
-  void read_out(const std::vector<V4>& light, const Exposure& exposure, std::uint64_t frame);
+  void blur_by_lens(const std::vector<V4>& light);
+  void smear_rows(float length_px);
+  void smear_columns(float length_px);
+  void read_out(const Exposure& exposure, std::uint64_t frame);
 
   const CameraSettings& settings_;
   int width_ = 0;
   int height_ = 0;
   std::uint64_t seed_ = 0;
   GaussTable gauss_;
-  std::vector<V4> lens_;
+  std::vector<V4> lens_;            ///< the light behind the lens, then smeared
   std::vector<float> sensitivity_;  ///< per pixel: vignetting, unevenness, this eye's gain
   std::vector<float> raw_;          ///< grey levels of full scale, two pixels of margin all round
   Demosaic demosaic_;

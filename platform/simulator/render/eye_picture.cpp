@@ -78,11 +78,11 @@ void EyePicture::trace_all(const View& view) {
 
 void EyePicture::trace_tile(const View& view, int left, int top) {
   Packet packet;
+  packet.start(view.origin, kNear_m, kFar_m);
   for (unsigned i = 0; i < Packet::kSize; ++i) {
     const int x = left + static_cast<int>(i % 4);
     const int y = top + static_cast<int>(i / 4);
-    packet.set(i, view.origin, view.ray(static_cast<float>(x), static_cast<float>(y)), kNear_m,
-               kFar_m);
+    packet.aim(i, view.ray(static_cast<float>(x), static_cast<float>(y)));
     if (x >= view.width_px || y >= view.height_px) packet.valid[i] = 0;
   }
   tracer_.intersect(packet, true, people_in(left, top, left + 3, top + 3));
@@ -179,6 +179,7 @@ void EyePicture::resample(const View& view, const std::vector<int>& pixels, std:
   static constexpr std::array<float, 2> kV{-0.17F, 0.17F};
   const std::size_t count = std::min<std::size_t>(8, pixels.size() - first);
   Packet packet;
+  packet.start(view.origin, kNear_m, kFar_m);
   int left = view.width_px;
   int right = 0;
   int top = view.height_px;
@@ -193,9 +194,7 @@ void EyePicture::resample(const View& view, const std::vector<int>& pixels, std:
     bottom = std::max(bottom, y);
     // Mirrored from row to row, so that neighbours do not sample the same places.
     const float u = (y % 2 == 0 ? 1.0F : -1.0F) * kU[i % 2];
-    packet.set(i, view.origin,
-               view.ray(static_cast<float>(x) + u, static_cast<float>(y) + kV[i % 2]), kNear_m,
-               kFar_m);
+    packet.aim(i, view.ray(static_cast<float>(x) + u, static_cast<float>(y) + kV[i % 2]));
     if (i / 2 >= count) packet.valid[i] = 0;
   }
   tracer_.intersect(packet, true, people_in(left, top, right, bottom));

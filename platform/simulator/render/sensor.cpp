@@ -78,41 +78,47 @@ Sensor::Sensor(const CameraSettings& settings, Eye eye, std::uint64_t seed)
   raw_.assign(static_cast<std::size_t>(cells) + Demosaic::kSlack, 0.0F);
 }
 
-cv::Mat3b Sensor::expose(std::vector<V4> light, const Exposure& exposure, const Smear& smear,
+cv::Mat3b Sensor::expose(const std::vector<V4>& light, const Exposure& exposure, const Smear& smear,
                          std::uint64_t frame) {
   blur_by_lens(light);
-  if (smear.u_px > 0.3F) smear_rows(light, smear.u_px + 1.0F);
-  if (smear.v_px > 0.3F) smear_columns(light, smear.v_px + 1.0F);
-  read_out(light, exposure, frame);
+  if (smear.u_px > 0.3F) smear_rows(smear.u_px + 1.0F);
+  if (smear.v_px > 0.3F) smear_columns(smear.v_px + 1.0F);
+  read_out(exposure, frame);
   return demosaic_.picture(raw_);
 }
 
 /// A lens is not sharper than the pixels: a cross-shaped point spread, which also keeps colours
-/// from fringing in the mosaic.
-void Sensor::blur_by_lens(std::vector<V4>& light) {
+/// from fringing in the mosaic. The border is not blurred.
+void Sensor::blur_by_lens(const std::vector<V4>& light) {
   constexpr float kSpread = 0.09F;
-  lens_ = light;
-  for (int y = 1; y + 1 < height_; ++y) {
-    const V4* in = lens_.data() + y * width_;
-    V4* out = light.data() + y * width_;
+  lens_.resize(light.size());
+  for (int y = 0; y < height_; ++y) {
+    const V4* in = light.data() + y * width_;
+    V4* out = lens_.data() + y * width_;
+    if (y == 0 || y + 1 == height_) {
+      std::copy_n(in, width_, out);
+      continue;
+    }
+    out[0] = in[0];
     for (int x = 1; x + 1 < width_; ++x) {
       const V4 around = in[x - 1] + in[x + 1] + in[x - width_] + in[x + width_];
       out[x] = in[x] * splat(1.0F - 4.0F * kSpread) + around * splat(kSpread);
     }
+    out[width_ - 1] = in[width_ - 1];
   }
 }
 
-void Sensor::smear_rows(std::vector<V4>& light, float length_px) const {
+void Sensor::smear_rows(float length_px) {
   MovingAverage average(length_px);
-  for (int y = 0; y < height_; ++y) average.smear(light.data() + y * width_, 1, width_);
+  for (int y = 0; y < height_; ++y) average.smear(lens_.data() + y * width_, 1, width_);
 }
 
-void Sensor::smear_columns(std::vector<V4>& light, float length_px) const {
+void Sensor::smear_columns(float length_px) {
   MovingAverage average(length_px);
-  for (int x = 0; x < width_; ++x) average.smear(light.data() + x, width_, height_);
+  for (int x = 0; x < width_; ++x) average.smear(lens_.data() + x, width_, height_);
 }
 
-void Sensor::read_out(const std::vector<V4>& light, const Exposure& exposure, std::uint64_t frame) {
+void Sensor::read_out(const Exposure& exposure, std::uint64_t frame) {
   const auto full = static_cast<float>(settings_.full_well_e);
   const auto electrons =
       static_cast<float>(ExposureControl(settings_).sensitivity() * exposure.shutter_s) * full;
@@ -122,7 +128,7 @@ void Sensor::read_out(const std::vector<V4>& light, const Exposure& exposure, st
   const int stride = width_ + 2 * kMargin;
   for (int y = 0; y < height_; ++y) {
     float* out = raw_.data() + (y + kMargin) * stride + kMargin;
-    const V4* in = light.data() + y * width_;
+    const V4* in = lens_.data() + y * width_;
     const float* sensitivity = sensitivity_.data() + y * width_;
     const std::uint32_t row = mix(key, static_cast<std::uint32_t>(y));
     for (int x = 0; x < width_; ++x) {

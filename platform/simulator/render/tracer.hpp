@@ -16,7 +16,15 @@ struct alignas(64) Packet {
   RTCRayHit16 rays;
   std::array<int, kSize> valid{};  ///< -1 for a ray to be traced, 0 for an empty lane
 
-  /// `t_max` in lengths of `direction`.
+  /// Sixteen valid rays from one place, still to be aimed. Field by field, which a compiler turns
+  /// into whole vectors.
+  void start(Vec3 origin, float t_min, float t_max);
+  void aim(unsigned lane, Vec3 direction) {
+    rays.ray.dir_x[lane] = direction.x;
+    rays.ray.dir_y[lane] = direction.y;
+    rays.ray.dir_z[lane] = direction.z;
+  }
+  /// One valid ray; `t_max` in lengths of `direction`.
   void set(unsigned lane, Vec3 origin, Vec3 direction, float t_min, float t_max);
   /// No ray in this lane. It gets harmless numbers: Debian's Embree checks empty lanes too.
   void clear(unsigned lane) {
@@ -35,13 +43,26 @@ struct alignas(64) Packet {
   }
 };
 
+inline void Packet::start(Vec3 origin, float t_min, float t_max) {
+  for (unsigned i = 0; i < kSize; ++i) rays.ray.org_x[i] = origin.x;
+  for (unsigned i = 0; i < kSize; ++i) rays.ray.org_y[i] = origin.y;
+  for (unsigned i = 0; i < kSize; ++i) rays.ray.org_z[i] = origin.z;
+  for (unsigned i = 0; i < kSize; ++i) rays.ray.tnear[i] = t_min;
+  for (unsigned i = 0; i < kSize; ++i) rays.ray.tfar[i] = t_max;
+  for (unsigned i = 0; i < kSize; ++i) rays.ray.time[i] = 0.0F;
+  for (unsigned i = 0; i < kSize; ++i) rays.ray.mask[i] = ~0U;
+  for (unsigned i = 0; i < kSize; ++i) rays.ray.id[i] = i;
+  for (unsigned i = 0; i < kSize; ++i) rays.ray.flags[i] = 0;
+  for (unsigned i = 0; i < kSize; ++i) rays.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
+  for (unsigned i = 0; i < kSize; ++i) rays.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
+  valid.fill(-1);
+}
+
 inline void Packet::set(unsigned lane, Vec3 origin, Vec3 direction, float t_min, float t_max) {
   rays.ray.org_x[lane] = origin.x;
   rays.ray.org_y[lane] = origin.y;
   rays.ray.org_z[lane] = origin.z;
-  rays.ray.dir_x[lane] = direction.x;
-  rays.ray.dir_y[lane] = direction.y;
-  rays.ray.dir_z[lane] = direction.z;
+  aim(lane, direction);
   rays.ray.tnear[lane] = t_min;
   rays.ray.tfar[lane] = t_max;
   rays.ray.time[lane] = 0.0F;
