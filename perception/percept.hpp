@@ -27,14 +27,17 @@ struct DisparityMap {
 };
 
 /// What one image column says about the floor plan along its bearing. Between `free_to_m` and
-/// `obstacle_m` nothing is known; behind the obstacle it is hidden. Unknown is never free.
+/// `obstacle_m` nothing is known; behind the obstacle the floor is hidden as far as the line of
+/// sight over the obstacle's top reaches. See also floor_state(). Unknown is never free.
 struct Column {
-  double bearing_rad = 0.0;          ///< in the robot frame: the head's pan is in it
-  double free_from_m = 0.0;          ///< the floor is seen free from here ...
-  double free_to_m = 0.0;            ///< ... to here; empty if not greater than free_from_m
-  double free_confidence = 0.0;      ///< 0..1
-  double obstacle_m = kNothing_m;    ///< nearest trusted thing that stands in the way
-  double obstacle_confidence = 0.0;  ///< 0..1
+  double bearing_rad = 0.0;           ///< in the robot frame: the head's pan is in it
+  double free_from_m = 0.0;           ///< the floor is seen free from here ...
+  double free_to_m = 0.0;             ///< ... to here; empty if not greater than free_from_m
+  double free_confidence = 0.0;       ///< 0..1
+  double obstacle_m = kNothing_m;     ///< nearest trusted thing that stands in the way
+  double obstacle_confidence = 0.0;   ///< 0..1
+  double hidden_from_m = kNothing_m;  ///< the floor cannot be seen from here, the obstacle ...
+  double hidden_to_m = kNothing_m;    ///< ... to here; kNothing_m with an obstacle: to no end
 };
 
 /// A blob of neighbouring columns at about the same distance.

@@ -14,7 +14,7 @@
 #include "app/evaluation/plot.hpp"
 #include "app/evaluation/report.hpp"
 #include "app/evaluation/saliency_scores.hpp"
-#include "app/perceive_files.hpp"
+#include "app/read_picture.hpp"
 #include "app/run_result.hpp"
 #include "config/user_error.hpp"
 #include "perception/saliency/saliency.hpp"
