@@ -198,8 +198,9 @@ SaliencyMap SaliencyFinder::find(const cv::Mat3b& picture, const DisparityMap& m
   }
   sum_of_channels(picture, map);
   sum_ = sum_.mul(sum_);
-  const double sigma_px = 0.25 * settings_.smooth_px * picture.cols / 160.0;
-  cv::GaussianBlur(sum_, sum_, {0, 0}, std::max(0.3, sigma_px), 0, cv::BORDER_REFLECT);
+  const double sigma_px = std::max(0.3, 0.25 * settings_.smooth_px * picture.cols / 160.0);
+  if (smooth_.sigma_px() != sigma_px) smooth_ = Gaussian(sigma_px);
+  smooth_.blur(sum_, sum_);
   SaliencyMap result;
   cv::resize(sum_, result.salience, picture.size(), 0, 0, cv::INTER_LINEAR);
   if (settings_.centre > 0.0) prefer_centre(settings_.centre, result.salience);

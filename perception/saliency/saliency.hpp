@@ -3,6 +3,7 @@
 #include "config/settings.hpp"
 #include "perception/obstacles/view_geometry.hpp"
 #include "perception/percept.hpp"
+#include "perception/saliency/gaussian.hpp"
 #include "perception/saliency/picture_change.hpp"
 #include "perception/saliency/v1_channels.hpp"
 
@@ -100,6 +101,7 @@ class SaliencyFinder {
   cv::Mat1f half_;           ///< a channel at half the working size
   cv::Mat1f channel_, sum_;  ///< at a quarter
   cv::Mat1f small_grey_;
+  Gaussian smooth_{1.0};  ///< remade where the picture's width changes
 };
 
 }  // namespace striate

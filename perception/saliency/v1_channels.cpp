@@ -6,6 +6,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "perception/keypoints/end_stopped_kernels.hpp"
+#include "perception/saliency/gaussian.hpp"
 
 namespace striate {
 namespace {
@@ -16,10 +17,6 @@ constexpr int kBlock = 4;
 int mirror(int i, int n) {
   while (i < 0 || i >= n) i = i < 0 ? -i - 1 : 2 * n - 1 - i;
   return i;
-}
-
-void blur(const cv::Mat& in, double sigma_px, cv::Mat& out) {
-  cv::GaussianBlur(in, out, {0, 0}, sigma_px, sigma_px, cv::BORDER_REFLECT);
 }
 
 /// out += min(energy(p + n), energy(p - n)) at every pixel p.
@@ -72,12 +69,15 @@ void V1Channels::average(const V1Responses& v1) {
 }
 
 void V1Channels::texture(cv::Mat1f& out) {
+  // Narrow and wide, of both scales.
+  static const std::array<std::array<Gaussian, 2>, 2> kScales{
+      {{Gaussian(1.0), Gaussian(3.0)}, {Gaussian(2.0), Gaussian(6.0)}}};
   cv::merge(energy_.data(), energy_.size(), all_);
   out.create(all_.size());
   out.setTo(0.0F);
-  for (const double sigma_px : {1.0, 2.0}) {
-    blur(all_, sigma_px, narrow_);
-    blur(all_, 3.0 * sigma_px, wide_);
+  for (const auto& scale : kScales) {
+    scale[0].blur(all_, narrow_);
+    scale[1].blur(all_, wide_);
     for (int v = 0; v < out.rows; ++v) {
       const auto* narrow = narrow_.ptr<float>(v);
       const auto* wide = wide_.ptr<float>(v);
