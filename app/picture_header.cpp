@@ -8,6 +8,9 @@
 namespace striate {
 namespace {
 
+/// Sides beyond are refused anyway; products of smaller ones fit 64 bits.
+constexpr std::int64_t kNoPicture_px = 1'000'000;
+
 /// Bytes with bounds: what lies behind the end reads as zero.
 class Bytes {
  public:
@@ -112,7 +115,8 @@ PictureHeader pnm(const Bytes& bytes) {
   PictureHeader header;
   header.width_px = pnm_number(bytes, at);
   header.height_px = pnm_number(bytes, at);
-  if (kind < 4 || header.width_px > 1'000'000 || header.height_px > 1'000'000) return header;
+  const bool small = header.width_px < kNoPicture_px && header.height_px < kNoPicture_px;
+  if (kind < 4 || !small) return header;
   std::int64_t row_bytes = (header.width_px + 7) / 8;
   if (kind > 4) {
     const std::int64_t sample_bytes = pnm_number(bytes, at) > 255 ? 2 : 1;
@@ -135,7 +139,8 @@ PictureHeader bmp(const Bytes& bytes) {
   if (header.height_px < 0) header.height_px = -header.height_px;  // stored top down
   const bool plain = bytes.little32(30) == 0;
   const std::int64_t row_bytes = (header.width_px * bytes.little16(28) + 31) / 32 * 4;
-  if (plain && header.width_px > 0) {
+  const bool small = header.width_px < kNoPicture_px && header.height_px < kNoPicture_px;
+  if (plain && small && header.width_px > 0) {
     header.whole = static_cast<std::int64_t>(bytes.size()) >=
                    bytes.little32(10) + row_bytes * header.height_px;
   }

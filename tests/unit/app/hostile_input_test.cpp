@@ -125,6 +125,10 @@ TEST_F(HostileInput, AHugeSizeInTheHeaderIsRefusedBeforeAnythingIsDecoded) {
   cv::imencode(".png", cv::Mat1b(32, 32, uchar{3}), png);
   png[17] = png[21] = 0x10;  // 1048608 px each way
   EXPECT_THAT(error_of(write_bytes(png)), HasSubstr("1048608 x 1048608"));
+  std::vector<uchar> bmp;
+  cv::imencode(".bmp", cv::Mat1b(32, 32, uchar{3}), bmp);
+  bmp[21] = bmp[25] = 0x7f;  // 2130706464 px each way: the bytes of that do not fit 64 bits
+  EXPECT_THAT(error_of(write_bytes(bmp)), HasSubstr("2130706464 x 2130706464"));
   const std::string pgm = "P5\n# comment 7\n99999 99999\n255\n";
   EXPECT_THAT(error_of(write_bytes({pgm.begin(), pgm.end()})), HasSubstr("99999 x 99999"));
 }
