@@ -12,6 +12,9 @@ namespace striate {
 namespace {
 
 constexpr int kFewestPixels = 8;      ///< judged pixels that a column's share needs
+constexpr double kUnexplained = 0.5;  ///< confidence of what looks like nothing before
+constexpr double kMostlyCame = 0.85;  ///< share of what was judged
+constexpr double kWide = 1.5;         ///< times the narrowest
 constexpr int kPool = 2;              ///< columns to either side that are judged together
 constexpr double kSameThing_m = 0.3;  ///< pixels this near to the column's obstacle are it ...
 constexpr double kSameThing = 0.12;   ///< ... or by this share of its distance
@@ -101,10 +104,12 @@ void MotionFinder::judge_columns(const Comparison& pair, std::vector<Column>& co
   const SeenMaps maps{*pair.now.disparity, pair.before.disparity,
                       to_seconds(pair.now.stamp - pair.before.stamp)};
   moved_.assign(columns.size(), 0);
+  came_.assign(columns.size(), 0);
   stayed_.assign(columns.size(), 0);
   for (int u = 0; u < width; ++u) {
     const auto judge = [&](int, const SpacePoint& p) {
       const Verdict verdict = judge_point(p, pair.carried, maps, settings_);
+      came_[u] += verdict == Verdict::came;
       moved_[u] += verdict == Verdict::came || verdict == Verdict::went;
       stayed_[u] += verdict == Verdict::stayed;
     };
@@ -144,11 +149,30 @@ MovingThing MotionFinder::describe(const Comparison& pair, const std::vector<Col
   const std::optional<Point2> velocity =
       find_velocity(pixels, pair.now.grey, pair.carried, earlier, settings_.fastest_m_s);
   thing.velocity_known = velocity.has_value();
+  if (!velocity) thing.confidence *= kUnexplained;
   if (velocity) thing.forward_m_s = velocity->x_m, thing.left_m_s = velocity->y_m;
   return thing;
 }
 
-void MotionFinder::list_things(const Comparison& pair, const std::vector<Column>& columns,
+/// Whether the thing moves indeed. What looks as it did where it is now stands: its disparity
+/// erred. Where its look is not found again at all, it must have come where nothing was: what was
+/// hidden by something that left comes into sight, too, but by going.
+bool MotionFinder::is_sure(const MovingThing& thing) const {
+  const int columns = thing.to_u_px - thing.from_u_px + 1;
+  if (columns < settings_.narrowest_px) return false;
+  if (thing.velocity_known) {
+    return std::hypot(thing.forward_m_s, thing.left_m_s) >= settings_.slowest_m_s;
+  }
+  int came = 0;
+  int judged = 0;
+  for (int u = thing.from_u_px; u <= thing.to_u_px; ++u) {
+    came += came_[u];
+    judged += moved_[u] + stayed_[u];
+  }
+  return columns >= kWide * settings_.narrowest_px && came >= kMostlyCame * judged;
+}
+
+void MotionFinder::list_things(const Comparison& pair, std::vector<Column>& columns,
                                std::vector<MovingThing>& moving) const {
   const int width = static_cast<int>(columns.size());
   const auto moves = [&](int u) { return columns[u].moving >= settings_.least_share; };
@@ -156,8 +180,11 @@ void MotionFinder::list_things(const Comparison& pair, const std::vector<Column>
     if (!moves(from)) continue;
     int to = from;
     while (to + 1 < width && moves(to + 1) && one_thing(columns[to], columns[to + 1])) ++to;
-    if (to - from + 1 >= settings_.narrowest_px) {
-      moving.push_back(describe(pair, columns, from, to));
+    const MovingThing thing = describe(pair, columns, from, to);
+    if (is_sure(thing)) {
+      moving.push_back(thing);
+    } else {
+      for (int u = from; u <= to; ++u) columns[u].moving = 0.0;
     }
     from = to;
   }

@@ -51,8 +51,9 @@ class MotionFinder {
   [[nodiscard]] const Kept* picture_before(TimePoint now) const;
   struct Comparison;  ///< of now with one kept picture
   void judge_columns(const Comparison& pair, std::vector<Column>& columns);
-  void list_things(const Comparison& pair, const std::vector<Column>& columns,
+  void list_things(const Comparison& pair, std::vector<Column>& columns,
                    std::vector<MovingThing>& moving) const;
+  [[nodiscard]] bool is_sure(const MovingThing& thing) const;
   [[nodiscard]] MovingThing describe(const Comparison& pair, const std::vector<Column>& columns,
                                      int from, int to) const;
 
@@ -60,7 +61,7 @@ class MotionFinder {
   RobotDescription robot_;
   std::array<Kept, 16> kept_;
   std::size_t next_ = 0;
-  std::vector<int> moved_, stayed_;  ///< judged pixels per column
+  std::vector<int> came_, moved_, stayed_;  ///< judged pixels per column
 };
 
 }  // namespace striate

@@ -14,6 +14,7 @@ struct MotionSettings {
   double tolerance_px = 0.35;  ///< disparities that differ by less are the same place ...
   double tolerance = 0.03;     ///< ... or by less than this share
   int slack_px = 2;            ///< so far from its predicted place a pixel may be found again
+  double slowest_m_s = 0.2;    ///< what seems to move more slowly stands
   double fastest_m_s = 2.5;    ///< velocities are searched up to this
   int narrowest_px = 6;        ///< columns that a moving thing must have
   double least_share = 0.5;    ///< of a column's obstacle that must have been free before
@@ -34,6 +35,7 @@ void visit(V& v, MotionSettings& s) {
   v.number("tolerance_share", s.tolerance, Unit::fraction, {0.0, 0.5},
            "or by less than this share of the disparity");
   v.integer("slack", s.slack_px, {0, 8}, "error of the predicted place");
+  v.number("slowest", s.slowest_m_s, Unit::speed, {0.0, 2.0}, "slower things stand");
   v.number("fastest", s.fastest_m_s, Unit::speed, {0.1, 10.0}, "largest velocity searched");
   v.integer("narrowest", s.narrowest_px, {1, 160}, "columns of a moving thing");
   v.number("least_share", s.least_share, Unit::fraction, {0.05, 1.0},
