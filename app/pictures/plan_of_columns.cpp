@@ -12,8 +12,8 @@
 namespace striate::pictures {
 namespace {
 
-constexpr int kFootRoom_px = 26;       // below the axle
-constexpr int kFraction = 4;           // bits of sub-pixel that OpenCV draws with
+constexpr int kFootRoom_px = 26;  // below the axle
+constexpr int kFraction = 4;      // bits of sub-pixel that OpenCV draws with
 
 class Plan {
  public:
