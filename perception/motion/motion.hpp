@@ -27,7 +27,8 @@ struct MotionView {
 /// it must be found again at its disparity; place_verdict.hpp says what it means if not. So turning
 /// and driving, and what comes out from behind something that stays, move nothing.
 ///
-/// Keeps copies of the last pictures in buffers of its own: no allocation once all have been used.
+/// Keeps copies of the last pictures in buffers of its own; only the search for a moving thing's
+/// velocity allocates.
 class MotionFinder {
  public:
   MotionFinder(const MotionSettings& settings, const RobotDescription& robot)
