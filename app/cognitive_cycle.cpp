@@ -23,11 +23,12 @@ bool CognitiveCycle::step() {
   return !executive_.ended();
 }
 
-/// V1 -> stereo -> obstacles, corridor, saliency, keypoints. A picture is looked at once.
+/// V1 -> stereo -> obstacles, motion, corridor, saliency, keypoints. A picture is looked at once.
 void CognitiveCycle::see() {
+  odometry_.add(trace_.senses.odometry.stamp, trace_.senses.odometry.pose);
   const StereoFrame& picture = trace_.senses.stereo;
   const bool is_new = !picture.left.empty() && picture.stamp != trace_.percept.stamp;
-  if (is_new) trace_.percept = perception_.see(picture);
+  if (is_new) trace_.percept = perception_.see(picture, odometry_.at(picture.stamp));
 }
 
 /// What was seen is put where it was seen, moved by odometry; what is old fades.

@@ -3,6 +3,7 @@
 #include "app/robot_settings.hpp"
 #include "behaviours/arbiter.hpp"
 #include "behaviours/safety_limiter.hpp"
+#include "memory/odometry_history.hpp"
 #include "memory/short_term_memory.hpp"
 #include "perception/perception.hpp"
 #include "platform/interface/robot.hpp"
@@ -43,6 +44,7 @@ class CognitiveCycle {
 
   Robot& robot_;
   Executive& executive_;
+  OdometryHistory odometry_;  ///< a picture belongs to the place where it was taken
   Perception perception_;
   ShortTermMemory memory_;
   Arbiter arbiter_;

@@ -12,6 +12,7 @@
 
 #include "app/perceive_files.hpp"
 #include "app/pictures/overview.hpp"
+#include "app/read_picture.hpp"
 #include "config/user_error.hpp"
 #include "perception/perception.hpp"
 

@@ -21,10 +21,6 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 
-constexpr int kSmallestPicture_px = 16;
-constexpr double kMostPixels = 40e6;    ///< above any camera here; memory stays below 1 GB
-constexpr double kLongestShape = 20.0;  ///< width / height: more leaves no row at the working size
-
 /// JSON has no infinity: what is not known or not there is null.
 ordered_json number(double value) {
   if (!std::isfinite(value)) return nullptr;
@@ -38,7 +34,9 @@ ordered_json column_json(const Column& c) {
           {"free_to", free ? number(c.free_to_m) : ordered_json(nullptr)},
           {"free_confidence", number(c.free_confidence)},
           {"obstacle", number(c.obstacle_m)},
-          {"obstacle_confidence", number(c.obstacle_confidence)}};
+          {"obstacle_confidence", number(c.obstacle_confidence)},
+          {"hidden_from", number(c.hidden_from_m)},
+          {"hidden_to", number(c.hidden_to_m)}};
 }
 
 ordered_json obstacle_json(const Obstacle& o, bool floor_known) {
@@ -58,60 +56,6 @@ std::string hex(const Descriptor& descriptor) {
 }
 
 }  // namespace
-
-cv::Mat3b read_any_picture(const fs::path& file) {
-  std::error_code error;
-  if (!fs::exists(file, error)) {
-    throw UserError(fmt::format("{}: no such file; give the path of a picture", file.string()));
-  }
-  if (fs::is_directory(file, error)) {
-    throw UserError(fmt::format("{}: is a folder; give the path of a picture", file.string()));
-  }
-  cv::Mat raw;
-  try {
-    raw = cv::imread(file.string(), cv::IMREAD_UNCHANGED);
-  } catch (const cv::Exception&) {
-    raw.release();
-  }
-  if (raw.empty()) {
-    throw UserError(fmt::format(
-        "{}: is no picture that can be read (PNG, JPEG, PGM/PPM, BMP, TIFF, WebP)", file.string()));
-  }
-  if (raw.depth() != CV_8U && raw.depth() != CV_16U) {
-    throw UserError(
-        fmt::format("{}: has floating-point pixels; 8 or 16 bit are needed", file.string()));
-  }
-  if (std::min(raw.rows, raw.cols) < kSmallestPicture_px) {
-    throw UserError(fmt::format("{}: is {} x {} px; at least {} x {} are needed", file.string(),
-                                raw.cols, raw.rows, kSmallestPicture_px, kSmallestPicture_px));
-  }
-  if (static_cast<double>(raw.rows) * raw.cols > kMostPixels) {
-    throw UserError(fmt::format("{}: is {} x {} px; at most 40 million pixels are taken: scale it",
-                                file.string(), raw.cols, raw.rows));
-  }
-  if (std::max(raw.rows, raw.cols) > kLongestShape * std::min(raw.rows, raw.cols)) {
-    throw UserError(
-        fmt::format("{}: is {} x {} px; one side may be at most 20 times the other: cut it",
-                    file.string(), raw.cols, raw.rows));
-  }
-  if (raw.depth() == CV_16U) raw.convertTo(raw, CV_8U, 1.0 / 257.0);
-  cv::Mat3b picture;
-  switch (raw.channels()) {
-    case 1:
-      cv::cvtColor(raw, picture, cv::COLOR_GRAY2BGR);
-      break;
-    case 3:
-      picture = raw;
-      break;
-    case 4:
-      cv::cvtColor(raw, picture, cv::COLOR_BGRA2BGR);
-      break;
-    default:
-      throw UserError(
-          fmt::format("{}: has {} channels; 1, 3 or 4 are needed", file.string(), raw.channels()));
-  }
-  return picture;
-}
 
 void make_folder(const fs::path& folder) {
   std::error_code error;

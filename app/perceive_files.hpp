@@ -8,7 +8,7 @@
 #include "perception/percept.hpp"
 #include "platform/interface/senses.hpp"
 
-/// Reading any picture and writing what `striate perceive` found.
+/// Writing what `striate perceive` found.
 namespace striate {
 
 /// How the obstacles of obstacles.json came about.
@@ -19,9 +19,6 @@ struct ObstacleReport {
   double threshold_px = 0.0;
   bool floor_known = false;
 };
-
-/// 8 or 16 bit, grey, colour, with or without alpha, as 8-bit BGR. Throws UserError.
-[[nodiscard]] cv::Mat3b read_any_picture(const std::filesystem::path& file);
 
 /// Makes the folder and those above it. Throws UserError where it cannot be one.
 void make_folder(const std::filesystem::path& folder);

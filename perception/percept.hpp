@@ -27,14 +27,18 @@ struct DisparityMap {
 };
 
 /// What one image column says about the floor plan along its bearing. Between `free_to_m` and
-/// `obstacle_m` nothing is known; behind the obstacle it is hidden. Unknown is never free.
+/// `obstacle_m` nothing is known; behind the obstacle the floor is hidden as far as the line of
+/// sight over the obstacle's top reaches. See also floor_state(). Unknown is never free.
 struct Column {
-  double bearing_rad = 0.0;          ///< in the robot frame: the head's pan is in it
-  double free_from_m = 0.0;          ///< the floor is seen free from here ...
-  double free_to_m = 0.0;            ///< ... to here; empty if not greater than free_from_m
-  double free_confidence = 0.0;      ///< 0..1
-  double obstacle_m = kNothing_m;    ///< nearest trusted thing that stands in the way
-  double obstacle_confidence = 0.0;  ///< 0..1
+  double bearing_rad = 0.0;           ///< in the robot frame: the head's pan is in it
+  double free_from_m = 0.0;           ///< the floor is seen free from here ...
+  double free_to_m = 0.0;             ///< ... to here; empty if not greater than free_from_m
+  double free_confidence = 0.0;       ///< 0..1
+  double obstacle_m = kNothing_m;     ///< nearest trusted thing that stands in the way
+  double obstacle_confidence = 0.0;   ///< 0..1
+  double hidden_from_m = kNothing_m;  ///< the floor cannot be seen from here, the obstacle ...
+  double hidden_to_m = kNothing_m;    ///< ... to here; kNothing_m with an obstacle: to no end
+  double moving = 0.0;  ///< 0..1: share of the obstacle that was free before; see perception/motion
 };
 
 /// A blob of neighbouring columns at about the same distance.
@@ -45,6 +49,20 @@ struct Obstacle {
   double height_m = 0.0;  ///< of its highest part seen, above the floor
   double confidence = 0.0;
   int from_u_px = 0;  ///< columns of the working image that it spans, both inclusive
+  int to_u_px = 0;
+};
+
+/// Something that moves by itself: neighbouring columns whose obstacle stands where nothing stood
+/// a moment ago, seen from wherever the robot was then.
+struct MovingThing {
+  double bearing_rad = 0.0;  ///< of its middle, now
+  double distance_m = 0.0;   ///< from the axle, now
+  double width_m = 0.0;
+  double confidence = 0.0;      ///< 0..1
+  bool velocity_known = false;  ///< else the two fields below are zero
+  double forward_m_s = 0.0;     ///< over the floor, in the axes of the robot frame of now
+  double left_m_s = 0.0;
+  int from_u_px = 0;  ///< columns of the working image, both inclusive
   int to_u_px = 0;
 };
 
@@ -111,6 +129,7 @@ struct Percept {
   DisparityMap disparity;
   std::vector<Column> columns;      ///< one per column of the working image, left to right
   std::vector<Obstacle> obstacles;  ///< nearest first
+  std::vector<MovingThing> moving;  ///< nearest first; only where motion was asked for
   CorridorView corridor;
   SaliencyMap saliency;
   std::vector<Keypoint> keypoints;

@@ -31,7 +31,8 @@ Perception::Perception(const PerceptionSettings& settings, const RobotDescriptio
       robot_(robot),
       matcher_(settings.stereo),
       keypoint_finder_(settings.keypoints),
-      saliency_finder_(settings.saliency) {}
+      saliency_finder_(settings.saliency),
+      motion_finder_(settings.motion, robot) {}
 
 void Perception::match(const StereoFrame& frame, const cv::Mat1b& left, DisparityMap& disparity) {
   const int width = settings_.stereo.width;
@@ -57,7 +58,7 @@ void Perception::measure_depth(const StereoFrame& frame, const cv::Mat1b& left, 
   percept.obstacles = std::move(view.obstacles);
 }
 
-Percept Perception::see(const StereoFrame& frame) {
+Percept Perception::see(const StereoFrame& frame, const std::optional<Pose2>& base) {
   Percept percept;
   percept.stamp = frame.stamp;
   if (frame.left.empty()) return percept;
@@ -73,6 +74,10 @@ Percept Perception::see(const StereoFrame& frame) {
   if (settings_.stereo.setting == StereoSetting::robust) {
     complete_with_walls(percept.columns, percept.corridor, percept.disparity,
                         ViewGeometry(percept.disparity, frame.head, robot_));
+  }
+  if (settings_.motion.on && base && !percept.columns.empty()) {
+    motion_finder_.find({frame.stamp, frame.head, *base, left, &percept.disparity}, percept.columns,
+                        percept.moving);
   }
   if (pictures_ % settings_.saliency_every == 0) {
     cv::Mat3b colour;

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "config/settings.hpp"
 #include "perception/corridor/corridor_view.hpp"
 #include "perception/keypoints/keypoints.hpp"
+#include "perception/motion/motion.hpp"
 #include "perception/obstacles/obstacles.hpp"
 #include "perception/percept.hpp"
 #include "perception/saliency/saliency.hpp"
@@ -17,6 +19,7 @@ struct PerceptionSettings {
   StereoSettings stereo;  ///< its `setting` also chooses how obstacles are found; its `width`
                           ///< is the working size of everything but keypoints
   ObstacleSettings obstacles;
+  MotionSettings motion;
   CorridorSettings corridor;
   /// The paper's in the cycle: 0.5 ms a picture, where robust takes 2.5.
   SaliencySettings saliency{.setting = SaliencySetting::paper};
@@ -29,6 +32,7 @@ template <class V>
 void visit(V& v, PerceptionSettings& s) {
   v.section("stereo", s.stereo);
   v.section("obstacles", s.obstacles);
+  v.section("motion", s.motion);
   v.section("corridor", s.corridor);
   v.section("saliency", s.saliency);
   v.section("keypoints", s.keypoints);
@@ -38,8 +42,8 @@ void visit(V& v, PerceptionSettings& s) {
 }
 
 /// All of seeing: one picture pair in, one percept out. Holds no memory of earlier pictures but
-/// their count (and, where `saliency.motion_weight` is not zero, a small copy of the last one), so
-/// the same pictures in the same order always give the same percepts.
+/// their count (and copies of the last ones where `saliency.motion_weight` is not zero or `motion`
+/// is on), so the same pictures in the same order always give the same percepts.
 class Perception {
  public:
   /// Throws UserError for settings out of range.
@@ -49,7 +53,9 @@ class Perception {
   /// the corridor's heading, saliency and keypoints. Unknown camera (`focal_px` <= 0):
   /// no obstacles and no corridor. Throws std::invalid_argument where left and right differ in
   /// size.
-  [[nodiscard]] Percept see(const StereoFrame& frame);
+  /// @param base where the axle was when the picture was taken, by odometry; without it nothing is
+  /// found to move.
+  [[nodiscard]] Percept see(const StereoFrame& frame, const std::optional<Pose2>& base = {});
 
  private:
   void match(const StereoFrame& frame, const cv::Mat1b& left, DisparityMap& disparity);
@@ -60,6 +66,7 @@ class Perception {
   StereoMatcher matcher_;
   KeypointFinder keypoint_finder_;
   SaliencyFinder saliency_finder_;
+  MotionFinder motion_finder_;
   std::int64_t pictures_ = 0;
 };
 

@@ -1,22 +1,18 @@
 #include <fmt/format.h>
 
-#include <array>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <functional>
-#include <map>
 #include <opencv2/imgproc.hpp>
 #include <opencv2/saliency.hpp>
-#include <sstream>
 
 #include "app/evaluation/evaluation.hpp"
+#include "app/evaluation/fixations.hpp"
 #include "app/evaluation/plot.hpp"
 #include "app/evaluation/report.hpp"
 #include "app/evaluation/saliency_scores.hpp"
-#include "app/perceive_files.hpp"
+#include "app/read_picture.hpp"
 #include "app/run_result.hpp"
-#include "config/user_error.hpp"
 #include "perception/saliency/saliency.hpp"
 
 namespace striate {
@@ -28,41 +24,6 @@ constexpr int kWorkingWidth_px = 160;
 constexpr int kJudgedWidth_px = 400;
 /// One degree of view where the picture spans about 33 degrees, as in OSIE (24 px of 800).
 constexpr double kDegree_of_width = 0.03;
-
-using Fixations = std::map<std::string, std::vector<cv::Point2d>>;
-
-[[noreturn]] void refuse(const std::string& where, const std::string& why) {
-  throw UserError(
-      fmt::format("{}: {}; expected in the folder: fixations.csv with the first line\n"
-                  "  image,subject,order,x,y,duration_ms\n"
-                  "(x, y in px of the picture), and the pictures beside it or in stimuli/",
-                  where, why));
-}
-
-Fixations read_fixations(const fs::path& file) {
-  std::ifstream in(file);
-  std::string line;
-  if (!in || !std::getline(in, line)) refuse(file.string(), "is missing or empty");
-  if (line.rfind("image,subject,order,x,y", 0) != 0) {
-    refuse(file.string() + ":1", "is not the heading of such a file");
-  }
-  Fixations fixations;
-  for (int number = 2; std::getline(in, line); ++number) {
-    if (line.empty() || line == "\r") continue;
-    std::stringstream row(line);
-    std::array<std::string, 5> cells;
-    for (std::string& cell : cells) std::getline(row, cell, ',');
-    try {
-      const cv::Point2d at(std::stod(cells[3]), std::stod(cells[4]));
-      if (!std::isfinite(at.x) || !std::isfinite(at.y)) throw std::out_of_range("not finite");
-      fixations[cells[0]].push_back(at);
-    } catch (const std::logic_error&) {
-      refuse(fmt::format("{}:{}", file.string(), number), "x and y are no numbers");
-    }
-  }
-  if (fixations.empty()) refuse(file.string(), "holds no fixation");
-  return fixations;
-}
 
 cv::Mat1f opencv_map(cv::saliency::StaticSaliency& method, const cv::Mat3b& picture) {
   cv::Mat map;
@@ -160,7 +121,7 @@ void tell(const std::vector<Method>& all, int pictures, const std::string& out) 
 
 int evaluate_saliency(const EvalOptions& options) {
   const fs::path folder = options.folder;
-  if (!fs::is_directory(folder)) refuse(options.folder, "is no folder");
+  if (!fs::is_directory(folder)) refuse_fixations(options.folder, "is no folder");
   const Fixations fixations = read_fixations(folder / "fixations.csv");
   check_writable(options.out + "/saliency.csv");
   std::vector<Method> all = methods();

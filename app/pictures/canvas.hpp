@@ -9,6 +9,7 @@ namespace striate::pictures {
 inline const cv::Scalar kBackground{30, 27, 25};
 inline const cv::Scalar kInk{235, 235, 235};
 inline const cv::Scalar kQuietInk{165, 160, 155};
+inline const cv::Scalar kHidden{16, 14, 13};  ///< darker than the unknown
 inline const cv::Scalar kFree{110, 200, 90};
 inline const cv::Scalar kBlocked{60, 60, 235};
 inline const cv::Scalar kCorridor{235, 190, 60};

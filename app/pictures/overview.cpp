@@ -133,6 +133,7 @@ cv::Mat3b draw_overview(const StereoFrame& frame, const Percept& percept,
   };
   explain(kFree * 0.75, "floor seen free");
   explain(kBlocked, "in the way");
+  explain(kHidden, "hidden behind it");
   explain(kCorridor, "corridor");
   return picture;
 }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
@@ -54,18 +55,29 @@ void draw_rings(Plan& plan, const PlanScale& scale) {
   }
 }
 
-/// The wedge that column `i` stands for: half way to its neighbours.
-void draw_free(Plan& plan, const std::vector<Column>& columns, std::size_t i) {
+/// The wedge that column `i` stands for, half way to its neighbours, between two distances.
+void draw_wedge(Plan& plan, const std::vector<Column>& columns, std::size_t i, cv::Vec2d from_to,
+                const cv::Scalar& colour) {
   const Column& c = columns[i];
-  if (c.free_to_m <= c.free_from_m) return;
   const double left = i > 0 ? 0.5 * (columns[i - 1].bearing_rad + c.bearing_rad) : c.bearing_rad;
   const double right =
       i + 1 < columns.size() ? 0.5 * (columns[i + 1].bearing_rad + c.bearing_rad) : c.bearing_rad;
-  const std::vector<cv::Point> wedge{plan.polar(left, c.free_from_m), plan.polar(left, c.free_to_m),
-                                     plan.polar(right, c.free_to_m),
-                                     plan.polar(right, c.free_from_m)};
-  const double strength = 0.25 + 0.5 * c.free_confidence;
-  cv::fillConvexPoly(plan.picture, wedge, kFree * strength, cv::LINE_8, kFraction);
+  const std::vector<cv::Point> wedge{plan.polar(left, from_to[0]), plan.polar(left, from_to[1]),
+                                     plan.polar(right, from_to[1]), plan.polar(right, from_to[0])};
+  cv::fillConvexPoly(plan.picture, wedge, colour, cv::LINE_8, kFraction);
+}
+
+/// Free floor, and floor that the obstacle hides.
+void draw_floor(Plan& plan, const std::vector<Column>& columns, std::size_t i, double reach) {
+  const Column& c = columns[i];
+  if (c.free_to_m > c.free_from_m) {
+    const double strength = 0.25 + 0.5 * c.free_confidence;
+    draw_wedge(plan, columns, i, {c.free_from_m, c.free_to_m}, kFree * strength);
+  }
+  const double farthest = 2.0 * reach;
+  if (c.hidden_from_m < farthest) {
+    draw_wedge(plan, columns, i, {c.hidden_from_m, std::min(c.hidden_to_m, farthest)}, kHidden);
+  }
 }
 
 void draw_obstacle(Plan& plan, const Column& c) {
@@ -93,7 +105,9 @@ void draw_corridor(Plan& plan, const CorridorView& corridor, double reach) {
 
 cv::Mat3b draw_plan_of_columns(const Percept& percept, cv::Size size, const PlanScale& scale) {
   Plan plan(size, scale);
-  for (std::size_t i = 0; i < percept.columns.size(); ++i) draw_free(plan, percept.columns, i);
+  for (std::size_t i = 0; i < percept.columns.size(); ++i) {
+    draw_floor(plan, percept.columns, i, scale.reach);
+  }
   draw_rings(plan, scale);
   draw_corridor(plan, percept.corridor, scale.reach);
   for (const Column& column : percept.columns) draw_obstacle(plan, column);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "perception/obstacles/column_scan.hpp"
+#include "perception/obstacles/floor_state.hpp"
 #include "perception/obstacles/free_floor.hpp"
 #include "perception/obstacles/obstacle_blobs.hpp"
 #include "perception/obstacles/view_geometry.hpp"
@@ -78,6 +79,14 @@ Column column_of(const ColumnHit& hit, const FreeFloor& free, const ViewGeometry
   return column;
 }
 
+/// Where the line of sight just over the obstacle's highest row meets the floor again; kNothing_m
+/// for what is as high as the camera.
+double sight_over_top_m(const ViewGeometry& geometry, const Standing& standing, int u) {
+  const double row = standing.top_row - 1.0;
+  if (geometry.floor_disparity_px(row) <= 0.0) return kNothing_m;
+  return floor_range_m(geometry, u, row, 0.0);
+}
+
 }  // namespace
 
 ObstacleView find_obstacles(const DisparityMap& map, const HeadPose& head,
@@ -97,6 +106,7 @@ ObstacleView find_obstacles(const DisparityMap& map, const HeadPose& head,
   for (int u = 0; u < width; ++u) {
     hits[u] = hit_of(standing[u], judged, geometry, u);
     view.columns[u] = column_of(hits[u], free[u], geometry, u, settings.floor_margin_px);
+    hide_behind_obstacle(view.columns[u], sight_over_top_m(geometry, standing[u], u));
   }
   view.obstacles = join_columns(hits);
   return view;

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
+#include "perception/obstacles/floor_state.hpp"
 #include "perception/obstacles/obstacles.hpp"
 #include "perception/obstacles/view_geometry.hpp"
 
@@ -77,6 +78,15 @@ std::vector<Column> free_columns(int width, const ViewGeometry& geometry, double
   return columns;
 }
 
+/// Where the line of sight over the blob's top meets the floor again; kNothing_m: nowhere.
+double sight_over_top_m(const ViewGeometry& geometry, const Blob& blob, int u) {
+  const double row = blob.box.y - 1.0;
+  const double d = geometry.floor_disparity_px(row);
+  if (d <= 0.0) return kNothing_m;
+  const SpacePoint p = geometry.point(u, row, d);
+  return std::hypot(p.x_m, p.y_m);
+}
+
 void block_columns(std::vector<Column>& columns, const DisparityMap& map,
                    const ViewGeometry& geometry, const cv::Mat1i& labels, const Blob& blob) {
   for (int u = blob.box.x; u < blob.box.x + blob.box.width; ++u) {
@@ -89,6 +99,7 @@ void block_columns(std::vector<Column>& columns, const DisparityMap& map,
     columns[u].obstacle_m = distance_m;
     columns[u].obstacle_confidence = kPaperConfidence;
     columns[u].free_to_m = std::min(columns[u].free_to_m, distance_m);
+    hide_behind_obstacle(columns[u], sight_over_top_m(geometry, blob, u));
   }
 }
 

@@ -35,6 +35,19 @@ SpacePoint ViewGeometry::point(double u_px, double v_px, double d_px) const {
   return {floor.x_m, floor.y_m, camera_height_m_ + depth_m * (sin_tilt_ - y * cos_tilt_)};
 }
 
+std::optional<ImagePoint> ViewGeometry::project(const SpacePoint& point) const {
+  constexpr double kNearest_m = 0.05;
+  const double x = point.x_m - camera_forward_m_;
+  const double forward_m = x * cos_pan_ + point.y_m * sin_pan_;
+  const double left_m = point.y_m * cos_pan_ - x * sin_pan_ - half_baseline_m_;
+  const double up_m = point.z_m - camera_height_m_;
+  const double depth_m = forward_m * cos_tilt_ + up_m * sin_tilt_;
+  if (depth_m < kNearest_m) return std::nullopt;
+  const double down_m = forward_m * sin_tilt_ - up_m * cos_tilt_;
+  return ImagePoint{centre_u_px_ - focal_px_ * left_m / depth_m,
+                    centre_v_px_ + focal_px_ * down_m / depth_m, focal_baseline_ / depth_m};
+}
+
 double ViewGeometry::ray_bearing_rad(double u_px) const {
   return pan_rad_ - std::atan((u_px - centre_u_px_) / focal_px_ * cos_tilt_);
 }

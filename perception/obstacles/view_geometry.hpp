@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "perception/percept.hpp"
 #include "platform/interface/robot.hpp"
 #include "platform/interface/senses.hpp"
@@ -11,6 +13,13 @@ struct SpacePoint {
   double x_m = 0.0;
   double y_m = 0.0;
   double z_m = 0.0;
+};
+
+/// A pixel of the left picture and its disparity.
+struct ImagePoint {
+  double u_px = 0.0;
+  double v_px = 0.0;
+  double d_px = 0.0;
 };
 
 /// Where the pixels of the left picture lie in the robot's world, for one pose of the head.
@@ -45,6 +54,8 @@ class ViewGeometry {
     return centre_v_px_ - floor_at_centre_px_ / floor_slope_;
   }
   [[nodiscard]] SpacePoint point(double u_px, double v_px, double d_px) const;
+  /// The inverse of point(): where it appears. Nothing behind the camera.
+  [[nodiscard]] std::optional<ImagePoint> project(const SpacePoint& point) const;
   /// Direction of column u where level disparities are measured (the horizon's row).
   [[nodiscard]] double ray_bearing_rad(double u_px) const;
   /// The floor plan's point of column u at level disparity `e_px`.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "perception/obstacles/floor_state.hpp"
+
 namespace striate {
 namespace {
 
@@ -49,6 +51,7 @@ void complete_with_walls(std::vector<Column>& columns, const CorridorView& corri
     if (share_behind(map, geometry, u, range_m) > kSeenThrough) continue;
     column.obstacle_m = range_m;
     column.obstacle_confidence = kCounts * corridor.confidence;
+    hide_behind_obstacle(column, kNothing_m);  // walls are higher than the camera
     column.free_to_m = std::min(column.free_to_m, range_m - kClearance_m);
     if (column.free_to_m <= column.free_from_m) {
       column.free_from_m = column.free_to_m = column.free_confidence = 0.0;

@@ -4,18 +4,23 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
+#include "perception/saliency/gaussian.hpp"
+
 namespace striate {
 namespace {
 
 /// Gaussian of `sigma_px` at the working size, for a plane that is `factor` times smaller.
-cv::Mat1f blur(const cv::Mat1f& plane, double sigma_px, double factor) {
+Gaussian gaussian(double sigma_px, double factor) {
   // Averaging n pixels to one adds a variance of (n^2 - 1) / 12; bilinear growing back to half
   // size adds about as much as its triangle kernel, n^2 / 6 between samples, less what half has.
   const double averaged = (factor * factor - 1.0) / 12.0;
   const double grown = factor > 2.0 ? factor * factor / 6.0 : 0.0;
-  const double sigma = std::sqrt(sigma_px * sigma_px - averaged - grown) / factor;
+  return Gaussian(std::sqrt(sigma_px * sigma_px - averaged - grown) / factor);
+}
+
+cv::Mat1f blur(const cv::Mat1f& plane, const Gaussian& gaussian) {
   cv::Mat1f out;
-  cv::GaussianBlur(plane, out, {0, 0}, sigma, sigma, cv::BORDER_REFLECT);
+  gaussian.blur(plane, out);
   return out;
 }
 
@@ -34,11 +39,15 @@ cv::Mat1f grow(const cv::Mat1f& plane, cv::Size size) {
 }  // namespace
 
 void add_blob_response(const cv::Mat1f& plane, Rectify rectify, cv::Mat1f& sum) {
+  static const Gaussian k5 = gaussian(5.0, 2.0);
+  static const Gaussian k10 = gaussian(10.0, 4.0);
+  static const Gaussian k20 = gaussian(20.0, 8.0);
+  static const Gaussian k40 = gaussian(40.0, 8.0);
   const cv::Mat1f quarter = shrink(plane);
   const cv::Mat1f eighth = shrink(quarter);
-  const std::array<cv::Mat1f, 4> blurred{
-      blur(plane, 5.0, 2.0), grow(blur(quarter, 10.0, 4.0), plane.size()),
-      grow(blur(eighth, 20.0, 8.0), plane.size()), grow(blur(eighth, 40.0, 8.0), plane.size())};
+  const std::array<cv::Mat1f, 4> blurred{blur(plane, k5), grow(blur(quarter, k10), plane.size()),
+                                         grow(blur(eighth, k20), plane.size()),
+                                         grow(blur(eighth, k40), plane.size())};
   for (int v = 0; v < plane.rows; ++v) {
     float* out = sum[v];
     for (int scale = 0; scale < 3; ++scale) {

@@ -138,56 +138,57 @@ SaliencyFinder::SaliencyFinder(const SaliencySettings& settings)
 
 /// Adds `channel_`, weighted, in units of its mean. Below `least_mean` it is noise and counts less.
 void SaliencyFinder::add_channel(double weight, double least_mean) {
-  if (weight <= 0.0) return;
   const double mean = cv::mean(channel_)[0];
   sum_ += weight / std::max(mean, least_mean) * channel_;
 }
 
 void SaliencyFinder::add_v1_channels(const cv::Mat1b& grey) {
-  constexpr double kLeastTexture = 6.0;  // grey levels, summed over orientations and scales
+  constexpr double kLeastTexture = 3.0;  // grey levels, summed over orientations and scales
   constexpr double kLeastShape = 12.0;
-  texture_.create(sum_.size());
-  texture_.setTo(0.0F);
-  shape_.create(sum_.size());
-  shape_.setTo(0.0F);
   cells_.respond(grey, 0, false, responses_);
-  average_energy(responses_, sum_.size(), energy_);
+  v1_channels_.average(responses_);
   if (settings_.texture > 0.0) {
-    for (const double sigma_px : {2.0, 4.0}) add_texture(energy_, sigma_px, texture_);
+    v1_channels_.texture(channel_);
+    add_channel(settings_.texture, kLeastTexture);
   }
   if (settings_.shape > 0.0) {
-    for (const double radius_px : {4.0, 8.0, 12.0}) add_shape(energy_, radius_px, shape_);
+    v1_channels_.shape(channel_);
+    add_channel(settings_.shape, kLeastShape);
   }
-  texture_.copyTo(channel_);
-  add_channel(settings_.texture, kLeastTexture);
-  shape_.copyTo(channel_);
-  add_channel(settings_.shape, kLeastShape);
+}
+
+void SaliencyFinder::add_motion(const cv::Mat1b& grey) {
+  cv::Mat1b small;
+  cv::resize(grey, small, half_.size(), 0, 0, cv::INTER_AREA);
+  small.convertTo(small_grey_, CV_32F);
+  half_.setTo(0.0F);
+  change_.add(small_grey_, half_);
+  cv::resize(half_, channel_, sum_.size(), 0, 0, cv::INTER_AREA);
+  add_channel(settings_.motion, settings_.least_contrast);
 }
 
 void SaliencyFinder::sum_of_channels(const cv::Mat3b& picture, const DisparityMap& map) {
-  const cv::Size half = half_of(picture);
-  sum_.create(half);
+  half_.create(half_of(picture));
+  sum_.create(quarter_of(picture.size()));
   sum_.setTo(0.0F);
-  channel_.create(half);
-  channel_.setTo(0.0F);
-  if (settings_.colour > 0.0) add_colour(picture, channel_);
-  add_channel(settings_.colour, settings_.least_contrast);
+  const auto add_half = [&](double weight) {
+    cv::resize(half_, channel_, sum_.size(), 0, 0, cv::INTER_AREA);
+    add_channel(weight, settings_.least_contrast);
+  };
+  if (settings_.colour > 0.0) {
+    half_.setTo(0.0F);
+    add_colour(picture, half_);
+    add_half(settings_.colour);
+  }
   cv::Mat1b grey;
   cv::cvtColor(picture, grey, cv::COLOR_BGR2GRAY);
   if (settings_.texture > 0.0 || settings_.shape > 0.0) add_v1_channels(grey);
   if (settings_.near > 0.0 && !map.disparity_px.empty()) {
-    channel_.setTo(0.0F);
-    add_blob_response(near_disparity(map, half, settings_), Rectify::half, channel_);
-    add_channel(settings_.near, settings_.least_contrast);
+    half_.setTo(0.0F);
+    add_blob_response(near_disparity(map, half_.size(), settings_), Rectify::half, half_);
+    add_half(settings_.near);
   }
-  if (settings_.motion > 0.0) {
-    cv::Mat1b small;
-    cv::resize(grey, small, half, 0, 0, cv::INTER_AREA);
-    small.convertTo(small_grey_, CV_32F);
-    channel_.setTo(0.0F);
-    change_.add(small_grey_, channel_);
-    add_channel(settings_.motion, settings_.least_contrast);
-  }
+  if (settings_.motion > 0.0) add_motion(grey);
 }
 
 SaliencyMap SaliencyFinder::find(const cv::Mat3b& picture, const DisparityMap& map,
@@ -196,13 +197,16 @@ SaliencyMap SaliencyFinder::find(const cv::Mat3b& picture, const DisparityMap& m
     return find_salience(picture, map, geometry, settings_);
   }
   sum_of_channels(picture, map);
-  const double sigma_px = 0.5 * settings_.smooth_px * picture.cols / 160.0;
-  cv::GaussianBlur(sum_, sum_, {0, 0}, std::max(0.3, sigma_px), 0, cv::BORDER_REFLECT);
+  sum_ = sum_.mul(sum_);
+  const double sigma_px = std::max(0.3, 0.25 * settings_.smooth_px * picture.cols / 160.0);
+  if (smooth_.sigma_px() != sigma_px) smooth_ = Gaussian(sigma_px);
+  smooth_.blur(sum_, sum_);
   SaliencyMap result;
   cv::resize(sum_, result.salience, picture.size(), 0, 0, cv::INTER_LINEAR);
   if (settings_.centre > 0.0) prefer_centre(settings_.centre, result.salience);
   SaliencySettings cut = settings_;
-  cut.least_contrast = 1.0;  // in units of the channels' means
+  cut.least_contrast = 1.0;                                   // in units of the channels' means
+  cut.threshold = settings_.threshold * settings_.threshold;  // of the square
   normalise_and_cut(geometry, map, cut, result);
   return result;
 }

@@ -3,6 +3,7 @@
 #include "config/settings.hpp"
 #include "perception/obstacles/view_geometry.hpp"
 #include "perception/percept.hpp"
+#include "perception/saliency/gaussian.hpp"
 #include "perception/saliency/picture_change.hpp"
 #include "perception/saliency/v1_channels.hpp"
 
@@ -74,10 +75,11 @@ void prefer_centre(double share, cv::Mat1f& salience);
 /// Salience in either setting. Keeps its buffers and, when motion is asked for, the picture before,
 /// which the first call and a change of size forget.
 ///
-/// Robust (ours; the paper's future work): channels at half the working size, each divided by its
-/// own mean so that weights compare, then summed and blurred: colour (the paper's blobs), texture
-/// and shape (from V1 energy at lambda = 4), near (the paper's), motion. A channel whose mean
-/// is below its noise counts less, so a blank wall stays dim.
+/// Robust (ours; the paper's future work): channels at a quarter of the working size, each divided
+/// by its own mean so that weights compare: colour (the paper's blobs), texture and shape (from V1
+/// energy at lambda = 4), near (the paper's), motion. Their sum is squared, which favours few
+/// strong peaks over many alike (the purpose of Itti's map normalisation), and blurred. A channel
+/// whose mean is below its noise counts less, so a blank wall stays dim.
 class SaliencyFinder {
  public:
   explicit SaliencyFinder(const SaliencySettings& settings);
@@ -88,14 +90,18 @@ class SaliencyFinder {
  private:
   void sum_of_channels(const cv::Mat3b& picture, const DisparityMap& map);
   void add_v1_channels(const cv::Mat1b& grey);
+  void add_motion(const cv::Mat1b& grey);
   void add_channel(double weight, double least_mean);
 
   SaliencySettings settings_;
   V1Cells cells_;
   V1Responses responses_;
-  OrientedEnergy energy_;
+  V1Channels v1_channels_;
   PictureChange change_;
-  cv::Mat1f channel_, texture_, shape_, sum_, small_grey_;
+  cv::Mat1f half_;           ///< a channel at half the working size
+  cv::Mat1f channel_, sum_;  ///< at a quarter
+  cv::Mat1f small_grey_;
+  Gaussian smooth_{1.0};  ///< remade where the picture's width changes
 };
 
 }  // namespace striate

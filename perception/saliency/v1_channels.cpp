@@ -5,53 +5,103 @@
 #include <numbers>
 #include <opencv2/imgproc.hpp>
 
-namespace striate {
+#include "perception/keypoints/end_stopped_kernels.hpp"
+#include "perception/saliency/gaussian.hpp"
 
-void average_energy(const V1Responses& v1, cv::Size half, OrientedEnergy& out) {
-  const auto scale = static_cast<float>(0.25 / v1.gain);
-  for (std::size_t i = 0; i < out.size(); ++i) {
-    out[i].create(half);
-    for (int v = 0; v < half.height; ++v) {
-      const int below = std::min(2 * v + 1, v1.height - 1);
-      const std::int16_t* upper = v1.code[i].row(std::min(2 * v, v1.height - 1));
-      const std::int16_t* lower = v1.code[i].row(below);
-      float* to = out[i][v];
-      for (int u = 0; u < half.width; ++u) {
-        const int left = std::min(2 * u, v1.width - 1);
-        const int right = std::min(2 * u + 1, v1.width - 1);
-        to[u] = scale * (complex_response(upper[left]) + complex_response(upper[right]) +
-                         complex_response(lower[left]) + complex_response(lower[right]));
+namespace striate {
+namespace {
+
+constexpr int kBlock = 4;
+
+/// Mirrored with the border pixel repeated, as cv::BORDER_REFLECT.
+int mirror(int i, int n) {
+  while (i < 0 || i >= n) i = i < 0 ? -i - 1 : 2 * n - 1 - i;
+  return i;
+}
+
+/// out += min(energy(p + n), energy(p - n)) at every pixel p.
+void add_facing(const cv::Mat1f& energy, cv::Point n, cv::Mat1f& out) {
+  const int width = energy.cols;
+  const int inner_from = std::min(std::abs(n.x), width);
+  const int inner_to = std::max(inner_from, width - std::abs(n.x));
+  for (int v = 0; v < energy.rows; ++v) {
+    const float* ahead = energy[mirror(v + n.y, energy.rows)];
+    const float* behind = energy[mirror(v - n.y, energy.rows)];
+    float* to = out[v];
+    const auto at_border = [&](int u) {
+      to[u] += std::min(ahead[mirror(u + n.x, width)], behind[mirror(u - n.x, width)]);
+    };
+    for (int u = 0; u < inner_from; ++u) at_border(u);
+    for (int u = inner_from; u < inner_to; ++u) to[u] += std::min(ahead[u + n.x], behind[u - n.x]);
+    for (int u = inner_to; u < width; ++u) at_border(u);
+  }
+}
+
+}  // namespace
+
+cv::Size quarter_of(cv::Size working) {
+  return {(working.width + kBlock - 1) / kBlock, (working.height + kBlock - 1) / kBlock};
+}
+
+void V1Channels::average(const V1Responses& v1) {
+  constexpr std::size_t kSlack = 64;  // vector stores run over the end
+  const cv::Size size = quarter_of({v1.width, v1.height});
+  amplitudes_.resize(static_cast<std::size_t>(v1.width) + kSlack);
+  sums_.resize(static_cast<std::size_t>(size.width));
+  for (std::size_t i = 0; i < energy_.size(); ++i) {
+    energy_[i].create(size);
+    for (int v = 0; v < size.height; ++v) {
+      const int rows = std::min(kBlock, v1.height - kBlock * v);
+      std::fill(sums_.begin(), sums_.end(), 0U);
+      for (int k = 0; k < rows; ++k) {
+        end_stopped_kernels::amplitudes(v1.code[i].row(kBlock * v + k), v1.width,
+                                        amplitudes_.data());
+        for (int u = 0; u < v1.width; ++u)
+          sums_[static_cast<std::size_t>(u / kBlock)] += amplitudes_[static_cast<std::size_t>(u)];
+      }
+      for (int u = 0; u < size.width; ++u) {
+        const int pixels = rows * std::min(kBlock, v1.width - kBlock * u);
+        energy_[i](v, u) = static_cast<float>(sums_[static_cast<std::size_t>(u)]) /
+                           static_cast<float>(pixels * v1.gain);
       }
     }
   }
 }
 
-void add_texture(const OrientedEnergy& energy, double sigma_px, cv::Mat1f& sum) {
-  cv::Mat1f narrow;
-  cv::Mat1f wide;
-  for (const cv::Mat1f& plane : energy) {
-    cv::GaussianBlur(plane, narrow, {0, 0}, sigma_px, sigma_px, cv::BORDER_REFLECT);
-    // A Gaussian of 3 sigma is the narrow one blurred again by sqrt(9 - 1) sigma.
-    const double more_px = std::sqrt(8.0) * sigma_px;
-    cv::GaussianBlur(narrow, wide, {0, 0}, more_px, more_px, cv::BORDER_REFLECT);
-    for (int v = 0; v < sum.rows; ++v) {
-      for (int u = 0; u < sum.cols; ++u) sum(v, u) += std::abs(narrow(v, u) - wide(v, u));
+void V1Channels::texture(cv::Mat1f& out) {
+  // Narrow and wide, of both scales.
+  static const std::array<std::array<Gaussian, 2>, 2> kScales{
+      {{Gaussian(1.0), Gaussian(3.0)}, {Gaussian(2.0), Gaussian(6.0)}}};
+  cv::merge(energy_.data(), energy_.size(), all_);
+  out.create(all_.size());
+  out.setTo(0.0F);
+  for (const auto& scale : kScales) {
+    scale[0].blur(all_, narrow_);
+    scale[1].blur(all_, wide_);
+    for (int v = 0; v < out.rows; ++v) {
+      const auto* narrow = narrow_.ptr<float>(v);
+      const auto* wide = wide_.ptr<float>(v);
+      for (int u = 0; u < out.cols; ++u) {
+        float sum = 0.0F;
+        for (int i = 0; i < kOrientations; ++i) {
+          sum += std::max(0.0F, narrow[kOrientations * u + i] - wide[kOrientations * u + i]);
+        }
+        out(v, u) += sum;
+      }
     }
   }
 }
 
-void add_shape(const OrientedEnergy& energy, double radius_px, cv::Mat1f& sum) {
-  for (std::size_t i = 0; i < energy.size(); ++i) {
+void V1Channels::shape(cv::Mat1f& out) const {
+  out.create(energy_[0].size());
+  out.setTo(0.0F);
+  for (std::size_t i = 0; i < energy_.size(); ++i) {
     const double theta = static_cast<double>(i) * std::numbers::pi / kOrientations;
-    const int du = static_cast<int>(std::lround(radius_px * std::cos(theta)));
-    const int dv = static_cast<int>(std::lround(radius_px * std::sin(theta)));
-    const int from_u = std::abs(du);
-    const int from_v = std::abs(dv);
-    for (int v = from_v; v < sum.rows - from_v; ++v) {
-      const float* ahead = energy[i][v + dv] + du;
-      const float* behind = energy[i][v - dv] - du;
-      float* to = sum[v];
-      for (int u = from_u; u < sum.cols - from_u; ++u) to[u] += std::min(ahead[u], behind[u]);
+    for (const double radius_px : {2.0, 4.0, 6.0}) {
+      add_facing(energy_[i],
+                 {static_cast<int>(std::lround(radius_px * std::cos(theta))),
+                  static_cast<int>(std::lround(radius_px * std::sin(theta)))},
+                 out);
     }
   }
 }

@@ -16,11 +16,11 @@
 #include <vector>
 
 #include "app/pictures/overview.hpp"
-#include "perception/obstacles/view_geometry.hpp"
 #include "perception/perception.hpp"
 #include "platform/simulator/render/renderer.hpp"
 #include "platform/simulator/world_reader.hpp"
 #include "tests/evaluation/judged_poses.hpp"
+#include "tests/evaluation/true_columns.hpp"
 
 namespace {
 
@@ -28,34 +28,12 @@ using namespace striate;
 using evaluation::Pose;
 using evaluation::poses_of;
 using evaluation::scene_at;
+using evaluation::true_columns;
 
-constexpr double kLowest_m = 0.06;
-constexpr double kHighest_m = 1.4;
 constexpr double kJudged_m = 6.0;   // farther things are not judged
 constexpr double kPhantom_m = 3.0;  // phantoms nearer than this count
 constexpr double kMissed_m = 2.5;   // things nearer than this must not be called free
-constexpr int kFewestPixels = 3;    // of a true thing, else it is an edge
 constexpr int kWarmUp = 3;          // pictures for the exposure to settle
-
-/// Distance of the nearest visible thing that stands in each column; +inf for none.
-std::vector<double> true_columns(const cv::Mat1f& depth, const DisparityMap& camera,
-                                 const HeadPose& head, const RobotDescription& robot) {
-  const ViewGeometry geometry(camera, head, robot);
-  std::vector<double> nearest(depth.cols, kNothing_m);
-  for (int u = 0; u < depth.cols; ++u) {
-    std::vector<double> ranges;
-    for (int v = 0; v < depth.rows; ++v) {
-      if (!std::isfinite(depth(v, u))) continue;
-      const SpacePoint p = geometry.point(u, v, geometry.focal_baseline() / depth(v, u));
-      if (p.z_m < kLowest_m || p.z_m > kHighest_m) continue;
-      ranges.push_back(std::hypot(p.x_m, p.y_m));
-    }
-    if (ranges.size() < kFewestPixels) continue;
-    std::nth_element(ranges.begin(), ranges.begin() + kFewestPixels - 1, ranges.end());
-    nearest[u] = ranges[kFewestPixels - 1];
-  }
-  return nearest;
-}
 
 struct Counts {
   long columns = 0;  ///< with something true within kJudged_m

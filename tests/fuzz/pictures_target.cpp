@@ -4,7 +4,7 @@
 #include <fstream>
 #include <opencv2/imgcodecs.hpp>
 
-#include "app/perceive_files.hpp"
+#include "app/read_picture.hpp"
 #include "config/user_error.hpp"
 #include "tests/fuzz/fuzz_target.hpp"
 
@@ -23,7 +23,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 
 std::vector<std::string> striate::fuzz::seeds() {
   std::vector<std::string> seeds;
-  for (const char* kind : {".png", ".jpg", ".bmp", ".pgm", ".tiff"}) {
+  for (const char* kind : {".png", ".jpg", ".bmp", ".pgm", ".tiff", ".webp"}) {
     std::vector<uchar> bytes;
     cv::imencode(kind, cv::Mat1b(20, 24, uchar{77}), bytes);
     seeds.emplace_back(bytes.begin(), bytes.end());

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
+#include <opencv2/imgcodecs.hpp>
 
 #include "tests/scenarios/striate_process.hpp"
 
@@ -101,6 +102,68 @@ TEST(CommandLine, AResultThatCannotBeWrittenIsSaidBeforeAnythingMoves) {
   EXPECT_EQ(ended.exit_code, 2);
   EXPECT_THAT(ended.err, HasSubstr("/proc/no/r.json: nothing can be written there"));
   EXPECT_THAT(ended.out, testing::IsEmpty());
+}
+
+/// Each row: a --left, a --right, and what the command must say of them. Empty: it must answer.
+TEST(CommandLine, PerceiveRefusesOrAnswersHostilePictures) {
+  const TemporaryFolder folder;
+  const auto write = [&](const std::string& name, const cv::Mat& picture) {
+    cv::imwrite(folder / name, picture);
+    return folder / name;
+  };
+  const auto cut = [&](const std::string& name, const std::string& whole) {
+    const std::string bytes = read_text(whole);
+    return folder.write(name, bytes.substr(0, bytes.size() / 2));
+  };
+  cv::Mat3b noise(120, 160);
+  cv::theRNG().state = 3;
+  cv::randu(noise, 0, 256);
+  const std::string good = write("good.png", noise);
+  std::string huge = read_text(good);
+  huge[17] = huge[21] = '\x10';
+  const struct {
+    std::string left, right, says;
+  } rows[] = {
+      {cut("cut.png", good), good, "cut.png: is no picture"},
+      {good, cut("cut.jpg", write("good.jpg", noise)), "cut.jpg: is no picture"},
+      {good, cut("cut.ppm", write("good.ppm", noise)), "cut.ppm: is no picture"},
+      {folder.write("huge.png", huge), good, "huge.png: is 1048736 x 1048696 px"},
+      {folder.write("huge.pgm", "P5 40000 40000 255\n"), good, "huge.pgm: is 40000 x 40000 px"},
+      {write("one.png", cv::Mat1b(1, 1, uchar{9})), good, "one.png: is 1 x 1 px"},
+      {good, write("small.png", cv::Mat1b(60, 80, uchar{9})), "small.png is 80 x 60"},
+      {folder.write("nan.pfm", "Pf\n160 120\n-1\n" + std::string(4 * 160 * 120, '\xff')), good,
+       "nan.pfm: has floating-point pixels"},
+      {folder.write("text.png", "no picture"), good, "text.png: is no picture"},
+      {folder.write("empty.png", ""), good, "empty.png: is no picture"},
+      {folder / "nowhere.png", good, "nowhere.png: no such file"},
+      {write("deep.png", cv::Mat3w(120, 160, cv::Vec3w::all(40000))), good, ""},
+      {write("grey.png", cv::Mat1b(120, 160, uchar{9})), good, ""},
+      {write("alpha.png", cv::Mat4b(120, 160, cv::Vec4b(9, 9, 9, 0))), good, ""},
+      {write("black.png", cv::Mat1b(120, 160, uchar{0})), folder / "black.png", ""},
+      {write("white.png", cv::Mat1b(120, 160, uchar{255})), folder / "white.png", ""},
+  };
+  for (const auto& row : rows) {
+    const Ended ended =
+        striate({"perceive", "--left", row.left, "--right", row.right, "--out", folder / "out"});
+    EXPECT_EQ(ended.exit_code, row.says.empty() ? 0 : 2) << row.left << ": " << ended.err;
+    EXPECT_THAT(ended.err, HasSubstr(row.says));
+  }
+}
+
+/// A pair without any texture: nothing may be free, nothing may stand in the way.
+TEST(CommandLine, PerceiveKnowsNothingOfABlankPair) {
+  const TemporaryFolder folder;
+  cv::imwrite(folder / "white.png", cv::Mat1b(120, 160, uchar{255}));
+  const Ended ended = striate({"perceive", "--left", folder / "white.png", "--right",
+                               folder / "white.png", "--out", folder / "out", "--focal-px", "203",
+                               "--baseline-m", "0.12", "--camera-height-m", "1.2"});
+  ASSERT_EQ(ended.exit_code, 0) << ended.err;
+  const auto json = nlohmann::json::parse(read_text(folder / "out/obstacles.json"));
+  EXPECT_TRUE(json["obstacles"].empty());
+  for (const auto& column : json["columns"]) {
+    EXPECT_TRUE(column["free_to"].is_null());
+    EXPECT_TRUE(column["obstacle"].is_null());
+  }
 }
 
 }  // namespace

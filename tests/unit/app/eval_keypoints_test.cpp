@@ -102,5 +102,14 @@ TEST(EvalKeypoints, WritesTableAndPlot) {
   EXPECT_TRUE(fs::is_regular_file(out / "keypoints.svg"));
 }
 
+TEST(EvalKeypoints, TakesTheHPatchesLayout) {
+  const fs::path folder = fresh_folder("hpatches"), out = fresh_folder("hpatches_out");
+  write_pair(folder / "v_moved", "", "H_1_2");
+  EXPECT_EQ(evaluate_keypoints({folder.string(), out.string()}), 0);
+  std::stringstream csv;
+  csv << std::ifstream(out / "keypoints.csv").rdbuf();
+  EXPECT_NE(csv.str().find("\nv_moved,2,Striate K_D,500,1.5,"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace striate

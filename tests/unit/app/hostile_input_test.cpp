@@ -5,10 +5,13 @@
 #include <fstream>
 #include <limits>
 #include <opencv2/imgcodecs.hpp>
+#include <optional>
 #include <sstream>
 
-#include "app/perceive_files.hpp"
+#include "app/perceive.hpp"
 #include "app/pfm.hpp"
+#include "app/picture_header.hpp"
+#include "app/read_picture.hpp"
 #include "config/user_error.hpp"
 
 namespace striate {
@@ -31,6 +34,19 @@ class HostileInput : public testing::Test {
   [[nodiscard]] fs::path write(const cv::Mat& picture) const {
     cv::imwrite((folder_ / "p.png").string(), picture);
     return folder_ / "p.png";
+  }
+  [[nodiscard]] fs::path write_bytes(const std::vector<uchar>& bytes) const {
+    std::ofstream(folder_ / "p.png", std::ios::binary)
+        .write(reinterpret_cast<const char*>(bytes.data()),
+               static_cast<std::streamsize>(bytes.size()));
+    return folder_ / "p.png";
+  }
+  /// Nothing that packs well: a cut takes pixels away.
+  [[nodiscard]] static cv::Mat3b noisy_picture() {
+    cv::Mat3b picture(48, 64);
+    cv::theRNG().state = 7;
+    cv::randu(picture, 0, 256);
+    return picture;
   }
   [[nodiscard]] static std::string error_of(const fs::path& file) {
     try {
@@ -72,6 +88,54 @@ TEST_F(HostileInput, TruncatedEmptyAndMissingFilesAreNoPictures) {
   EXPECT_THAT(error_of(folder_ / "empty.png"), HasSubstr("is no picture"));
   EXPECT_THAT(error_of(folder_), HasSubstr("is a folder"));
   EXPECT_THAT(error_of(folder_ / "nowhere.png"), HasSubstr("no such file"));
+}
+
+TEST_F(HostileInput, AFileThatWasCutOffAnywhereIsNoPicture) {
+  const cv::Mat3b whole = noisy_picture();
+  for (const char* kind : {".png", ".jpg", ".ppm", ".bmp", ".tiff", ".webp"}) {
+    std::vector<uchar> bytes;
+    cv::imencode(kind, whole, bytes);
+    EXPECT_EQ(read_any_picture(write_bytes(bytes)).size(), whole.size()) << kind;
+    for (const double share : {0.3, 0.6, 0.95}) {
+      std::vector<uchar> part = bytes;
+      part.resize(static_cast<std::size_t>(share * static_cast<double>(bytes.size())));
+      EXPECT_THAT(error_of(write_bytes(part)), HasSubstr("is no picture")) << kind << ' ' << share;
+    }
+  }
+}
+
+TEST_F(HostileInput, APngWithADamagedByteIsNoPicture) {
+  std::vector<uchar> bytes;
+  cv::imencode(".png", noisy_picture(), bytes);
+  bytes[bytes.size() / 2] ^= 4U;
+  EXPECT_THAT(error_of(write_bytes(bytes)), HasSubstr("damaged"));
+}
+
+TEST_F(HostileInput, AHugeSizeInTheHeaderIsRefusedBeforeAnythingIsDecoded) {
+  for (const char* kind : {".png", ".jpg", ".bmp", ".tiff", ".webp"}) {
+    std::vector<uchar> bytes;
+    cv::imencode(kind, cv::Mat3b(32, 32), bytes);
+    const std::optional<PictureHeader> header = read_picture_header(bytes);
+    ASSERT_TRUE(header.has_value()) << kind;
+    EXPECT_EQ(header->width_px, 32) << kind;
+    EXPECT_EQ(header->height_px, 32) << kind;
+    EXPECT_TRUE(header->whole) << kind;
+  }
+  std::vector<uchar> png;
+  cv::imencode(".png", cv::Mat1b(32, 32, uchar{3}), png);
+  png[17] = png[21] = 0x10;  // 1048608 px each way
+  EXPECT_THAT(error_of(write_bytes(png)), HasSubstr("1048608 x 1048608"));
+  std::vector<uchar> bmp;
+  cv::imencode(".bmp", cv::Mat1b(32, 32, uchar{3}), bmp);
+  bmp[21] = bmp[25] = 0x7f;  // 2130706464 px each way: the bytes of that do not fit 64 bits
+  EXPECT_THAT(error_of(write_bytes(bmp)), HasSubstr("2130706464 x 2130706464"));
+  const std::string pgm = "P5\n# comment 7\n99999 99999\n255\n";
+  EXPECT_THAT(error_of(write_bytes({pgm.begin(), pgm.end()})), HasSubstr("99999 x 99999"));
+}
+
+TEST_F(HostileInput, FloatingPointPixelsAreSaidToBeThat) {
+  const std::string pfm = "Pf\n32 32\n-1.0\n" + std::string(4096, '\xff');  // all NaN
+  EXPECT_THAT(error_of(write_bytes({pfm.begin(), pfm.end()})), HasSubstr("floating-point"));
 }
 
 TEST_F(HostileInput, SixteenBitsAreScaledAndAlphaIsDropped) {

@@ -58,6 +58,37 @@ TEST_F(PatchFolder, OfTheOxfordLayoutGivesTrueAndFalsePairs) {
   EXPECT_EQ(std::ranges::count(set.pairs, true, &PatchPair::same), 20);
 }
 
+TEST_F(PatchFolder, OfTheHPatchesLayoutGivesPatchesOfTheSamePlaces) {
+  fs::create_directories(folder_ / "i_made");
+  cv::Mat3b wide;  // PPM is a format of colours
+  cv::cvtColor(synthetic_picture({360, 240}, 6), wide, cv::COLOR_GRAY2BGR);
+  cv::imwrite((folder_ / "i_made/1.ppm").string(), wide(cv::Rect(0, 0, 330, 240)));
+  cv::imwrite((folder_ / "i_made/2.ppm").string(), wide(cv::Rect(30, 0, 330, 240)));
+  write("i_made/H_1_2", "1 0 -30\n0 1 0\n0 0 1\n");
+  PatchChoice choice;
+  choice.pairs = 15;
+  const PatchSet set = load_patches(folder_.string(), choice);
+  ASSERT_EQ(std::ranges::count(set.pairs, true, &PatchPair::same), 15);
+  double same = 0.0, other = 0.0;
+  for (const PatchPair& pair : set.pairs) {
+    const double difference = cv::norm(set.patch(pair.first), set.patch(pair.second), cv::NORM_L1);
+    (pair.same ? same : other) += difference / 15.0 / (64.0 * 64.0);
+  }
+  EXPECT_LT(same, 4.0) << "grey levels: frames of SIFT are not exact near the border";
+  EXPECT_GT(other, 4.0 * same);
+}
+
+TEST_F(PatchFolder, OfTheHPatchesLayoutTellsWhatIsMissing) {
+  fs::create_directories(folder_ / "v_made");
+  write("v_made/H_1_2", "1 0 0\n0 1 0\n0 0 1\n");
+  EXPECT_THAT(error(), testing::HasSubstr("its pictures 1 and 2 are missing"));
+  cv::imwrite((folder_ / "v_made/1.ppm").string(), cv::Mat3b(60, 60, cv::Vec3b(5, 5, 5)));
+  cv::imwrite((folder_ / "v_made/2.ppm").string(), cv::Mat3b(60, 60, cv::Vec3b(5, 5, 5)));
+  EXPECT_THAT(error(), testing::HasSubstr("no SIFT frame was found again"));
+  write("v_made/H_1_2", "1 0 0\n0 1\n");
+  EXPECT_THAT(error(), testing::HasSubstr("nine numbers"));
+}
+
 TEST_F(PatchFolder, OfTheBrownLayoutIsRead) {
   write("info.txt", "0 0\n0 0\n1 0\n");
   write("m50_2_2_0.txt", "0 0 0 1 0 0 0\n0 0 0 2 1 0 0\n");

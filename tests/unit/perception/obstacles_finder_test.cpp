@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "perception/obstacles/floor_state.hpp"
 #include "perception/obstacles/obstacles.hpp"
 #include "perception/obstacles/view_geometry.hpp"
 #include "tests/unit/perception/obstacles_synthetic_room.hpp"
@@ -74,6 +75,34 @@ TEST(Obstacles, FreeFloorEndsBeforeTheBox) {
   const Column& ahead = column_at(view, 0.0);
   EXPECT_GT(ahead.free_to_m, ahead.free_from_m);
   EXPECT_LT(ahead.free_to_m, 2.0);
+}
+
+TEST(Obstacles, TheFloorBehindABoxIsHiddenAsFarAsItsTopHidesIt) {
+  const HeadPose head{0.0, -0.4};
+  const ObstacleView view = see({{kCarton}, true, 5.0, 5.0}, head);
+  const Column& ahead = column_at(view, 0.0);
+  EXPECT_DOUBLE_EQ(ahead.hidden_from_m, ahead.obstacle_m);
+  // From 1.2 m up, over the far edge (0.6 m high, 2.5 m away), the floor is seen again at 5 m; the
+  // top face is seen, so the last row of the obstacle's own distance is that of its front edge.
+  EXPECT_GT(ahead.hidden_to_m, 2.5);
+  EXPECT_LT(ahead.hidden_to_m, 5.3);
+  EXPECT_EQ(floor_state(ahead, 1.9), FloorState::free);
+  EXPECT_EQ(floor_state(ahead, 2.05), FloorState::occupied);
+  EXPECT_EQ(floor_state(ahead, 2.4), FloorState::hidden);
+  EXPECT_EQ(floor_state(ahead, 7.9), FloorState::unknown);
+  const Column& beside = column_at(view, 0.3);
+  EXPECT_EQ(floor_state(beside, 2.4), FloorState::free);
+  EXPECT_EQ(beside.hidden_from_m, kNothing_m);
+}
+
+TEST(Obstacles, BehindWhatIsHigherThanTheCameraAllIsHidden) {
+  const Box tall{2.0, 2.5, -0.3, 0.3, 0.0, 1.9};
+  for (const auto find : {find_obstacles, find_obstacles_as_in_paper}) {
+    const ObstacleView view = find(look({{tall}, true, 5.0, 5.0}, {}), {}, {}, {});
+    const Column& ahead = column_at(view, 0.0);
+    EXPECT_EQ(ahead.hidden_to_m, kNothing_m);
+    EXPECT_EQ(floor_state(ahead, 50.0), FloorState::hidden);
+  }
 }
 
 TEST(Obstacles, SeesALowBoxWhenTheHeadLooksDown) {

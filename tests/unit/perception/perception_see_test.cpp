@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <opencv2/imgproc.hpp>
 
 #include "perception/noise_estimate.hpp"
@@ -57,6 +58,52 @@ TEST(Perception, ThePaperSettingThresholdsTheDisparity) {
   Perception perception(settings, {});
   EXPECT_NEAR(perception.see(board_at(2.0)).columns[80].obstacle_m, 2.0, 0.2);
   EXPECT_EQ(perception.see(board_at(4.5)).columns[80].obstacle_m, kNothing_m);
+}
+
+/// The same board by a fraction of its light: contrast falls, noise stays.
+StereoFrame in_little_light(StereoFrame frame, double light, double noise) {
+  std::uint64_t counter = 0;
+  for (cv::Mat3b* picture : {&frame.left, &frame.right}) {
+    for (cv::Vec3b& pixel : *picture) {
+      const double n = noise * (synthetic::noise(counter) + synthetic::noise(counter + 1));
+      counter += 2;
+      pixel = cv::Vec3b::all(cv::saturate_cast<uchar>(30.0 + light * (pixel[0] - 128.0) + n));
+    }
+  }
+  return frame;
+}
+
+TEST(Perception, InTheDarkConfidenceFallsAndNotTheTruthOfTheDistance) {
+  double brighter = 1.0;
+  for (const double light : {0.5, 0.08, 0.015}) {
+    Perception perception({}, {});
+    const Percept percept = perception.see(in_little_light(board_at(2.0), light, 6.0));
+    double confidence = 0.0;
+    for (const Column& column : percept.columns) {
+      confidence += column.obstacle_confidence / 160.0;
+      if (column.obstacle_confidence <= 0.5) continue;
+      EXPECT_NEAR(column.obstacle_m * std::cos(column.bearing_rad), 2.0, 0.3) << light;
+    }
+    EXPECT_LT(confidence, brighter) << light;
+    brighter = confidence;
+  }
+  EXPECT_LT(brighter, 0.3);
+}
+
+TEST(Perception, ABlankDoorIsBoundedByItsEdges) {
+  StereoFrame frame = board_at(2.0);
+  const cv::Rect door(130, 0, 60, 240);
+  const cv::Rect as_right_eye_sees(door - cv::Point(24, 0));
+  frame.left(door).setTo(cv::Vec3b::all(150));
+  frame.right(as_right_eye_sees).setTo(cv::Vec3b::all(150));
+  Perception perception({}, {});
+  const Percept percept = perception.see(frame);
+  for (int u = 67; u < 93; ++u) {
+    const Column& column = percept.columns[static_cast<std::size_t>(u)];
+    EXPECT_LE(column.free_to_m, 2.0) << u;
+    EXPECT_NEAR(column.obstacle_m, 2.0, 0.1) << u;
+  }
+  EXPECT_LT(percept.columns[80].obstacle_confidence, percept.columns[30].obstacle_confidence);
 }
 
 TEST(Perception, OneEyeSeesSalienceButNoObstacles) {

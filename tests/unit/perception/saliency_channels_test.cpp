@@ -2,9 +2,11 @@
 
 #include <cmath>
 #include <opencv2/imgproc.hpp>
+#include <string>
 
 #include "perception/saliency/saliency.hpp"
 #include "tests/reference/every_target.hpp"
+#include "tests/reference/salience_channels_reference.hpp"
 #include "tests/reference/test_pictures.hpp"
 
 namespace striate {
@@ -80,25 +82,83 @@ TEST(SaliencyChannels, EnergyAndTheShapeOfEveryInstructionSetAreTheSame) {
   });
 }
 
-TEST(SaliencyChannels, ShapeIsTheSumOfItsFormula) {
-  OrientedEnergy energy;
+void expect_close(const cv::Mat1f& fast, const cv::Mat1d& plain, double bound,
+                  const std::string& what) {
+  ASSERT_EQ(fast.size(), plain.size()) << what;
+  cv::Mat1d as_double;
+  fast.convertTo(as_double, CV_64F);
+  EXPECT_LT(cv::norm(as_double, plain, cv::NORM_INF), bound * cv::norm(plain, cv::NORM_INF))
+      << what;
+}
+
+TEST(SaliencyChannels, TextureAndShapeFollowTheirFormulasOnEveryInstructionSet) {
+  const cv::Mat1b picture = reference::texture({163, 118}, 5);
+  V1Responses responses;
+  V1Cells(V1Settings{}).respond(picture, 0, false, responses);
+  reference::Energy energy;
   for (std::size_t i = 0; i < energy.size(); ++i) {
-    cv::Mat1f plane;
-    reference::texture({40, 30}, static_cast<int>(i)).convertTo(plane, CV_32F);
-    energy[i] = plane;
-  }
-  cv::Mat1f sum(30, 40, 0.0F);
-  add_shape(energy, 5.0, sum);
-  for (const cv::Point p : {cv::Point(10, 12), cv::Point(25, 20)}) {
-    double plain = 0.0;
-    for (int i = 0; i < 8; ++i) {
-      const double theta = i * 3.14159265358979 / 8.0;
-      const cv::Point n(static_cast<int>(std::lround(5.0 * std::cos(theta))),
-                        static_cast<int>(std::lround(5.0 * std::sin(theta))));
-      plain += std::min(energy[static_cast<std::size_t>(i)](p + n),
-                        energy[static_cast<std::size_t>(i)](p - n));
+    cv::Mat1d plane(picture.size());
+    for (int v = 0; v < plane.rows; ++v) {
+      for (int u = 0; u < plane.cols; ++u) {
+        plane(v, u) = complex_response(responses.code[i].row(v)[u]) / responses.gain;
+      }
     }
-    EXPECT_NEAR(sum(p), plain, 1e-3);
+    energy[i] = reference::block_means(plane);
+  }
+  reference::on_every_target([&](const std::string& name) {
+    V1Channels channels;
+    channels.average(responses);
+    for (std::size_t i = 0; i < energy.size(); ++i) {
+      expect_close(channels.energy()[i], energy[i], 0.005, name + " energy");  // whole amplitudes
+    }
+    cv::Mat1f channel;
+    channels.texture(channel);
+    expect_close(channel, reference::texture_channel(energy), 0.02, name + " texture");
+    channels.shape(channel);
+    expect_close(channel, reference::shape_channel(energy), 0.005, name + " shape");
+  });
+}
+
+TEST(SaliencyChannels, MotionFollowsItsFormulaOnEveryInstructionSet) {
+  cv::Mat1b now = reference::texture({80, 61}, 3, 4);
+  reference::texture({12, 15}, 9).copyTo(now(cv::Rect(40, 20, 12, 15)));
+  cv::Mat1f before_f, now_f;
+  cv::Mat1d before_d, now_d;
+  const cv::Mat1b before = reference::texture({80, 61}, 3);
+  before.convertTo(before_f, CV_32F), now.convertTo(now_f, CV_32F);
+  before.convertTo(before_d, CV_64F), now.convertTo(now_d, CV_64F);
+  cv::Point shift;
+  const cv::Mat1d plain = reference::motion_channel(now_d, before_d, shift);
+  EXPECT_EQ(shift, cv::Point(4, 0));
+  reference::on_every_target([&](const std::string& name) {
+    PictureChange change;
+    cv::Mat1f sum(now.size(), 0.0F);
+    change.add(before_f, sum);
+    change.add(now_f, sum);
+    EXPECT_EQ(change.shift_px(), shift) << name;
+    expect_close(sum, plain, 1e-6, name);
+  });
+}
+
+/// Texture that is the same all over: what lies near the border must not respond less.
+TEST(SaliencyChannels, TheBorderIsNeitherPreferredNorOverlooked) {
+  cv::Mat1d mean(30, 40, 0.0);
+  for (int k = 0; k < 40; ++k) {
+    V1Responses responses;
+    V1Cells(V1Settings{}).respond(reference::texture({160, 120}, 100 + k), 0, false, responses);
+    V1Channels channels;
+    channels.average(responses);
+    cv::Mat1f texture, shape;
+    channels.texture(texture);
+    channels.shape(shape);
+    for (int v = 0; v < mean.rows; ++v) {
+      for (int u = 0; u < mean.cols; ++u) mean(v, u) += shape(v, u) + texture(v, u);
+    }
+  }
+  const double middle = cv::mean(mean(cv::Rect(8, 8, 24, 14)))[0];
+  const cv::Rect borders[] = {{0, 0, 40, 6}, {0, 24, 40, 6}, {0, 0, 6, 30}, {34, 0, 6, 30}};
+  for (const cv::Rect& border : borders) {
+    EXPECT_NEAR(cv::mean(mean(border))[0] / middle, 1.0, 0.05) << border;
   }
 }
 

@@ -109,5 +109,17 @@ TEST(Saliency, TakesAnyPictureSize) {
   EXPECT_TRUE(find({}, {}).salience.empty());
 }
 
+TEST(Gaussian, GivesTheBitsOfOpenCVs) {
+  cv::Mat_<cv::Vec4f> plane(31, 43);
+  cv::theRNG().state = 5;
+  cv::randu(plane, 0.0, 300.0);
+  for (const double sigma_px : {0.3, 1.0, 2.7, 6.0}) {
+    cv::Mat fast, plain;
+    Gaussian(sigma_px).blur(plane, fast);
+    cv::GaussianBlur(plane, plain, {0, 0}, sigma_px, sigma_px, cv::BORDER_REFLECT);
+    EXPECT_EQ(cv::norm(fast, plain, cv::NORM_INF), 0.0) << sigma_px;
+  }
+}
+
 }  // namespace
 }  // namespace striate

@@ -1,0 +1,45 @@
+#pragma once
+
+#include "config/settings.hpp"
+
+namespace striate {
+
+/// Things that move apart from the robot's own motion.
+struct MotionSettings {
+  bool on = false;
+  double gap_s = 0.5;          ///< between the two pictures that are compared
+  double trusted = 0.3;        ///< disparities of less confidence are not used
+  double lowest_m = 0.1;       ///< of what is judged, above the floor
+  double highest_m = 2.0;      ///< and below this
+  double tolerance_px = 0.35;  ///< disparities that differ by less are the same place ...
+  double tolerance = 0.03;     ///< ... or by less than this share
+  int slack_px = 2;            ///< so far from its predicted place a pixel may be found again
+  double slowest_m_s = 0.2;    ///< what seems to move more slowly stands
+  double fastest_m_s = 2.5;    ///< velocities are searched up to this
+  int narrowest_px = 6;        ///< columns that a moving thing must have
+  double least_share = 0.5;    ///< of a column's obstacle that must have been free before
+};
+
+template <class V>
+void visit(V& v, MotionSettings& s) {
+  using config::Unit;
+  v.flag("on", s.on,
+         "look for things that move by themselves; off: no behaviour uses them yet, and the "
+         "trials that are reported were driven without");
+  v.number("gap", s.gap_s, Unit::duration, {0.05, 2.0}, "between the pictures compared");
+  v.number("trusted", s.trusted, Unit::fraction, {0.0, 1.0}, "least confidence of a disparity");
+  v.number("lowest", s.lowest_m, Unit::length, {0.0, 1.0}, "what is lower is not judged");
+  v.number("highest", s.highest_m, Unit::length, {0.2, 3.0}, "what is higher is not judged");
+  v.number("tolerance", s.tolerance_px, Unit::pixels, {0.1, 10.0},
+           "disparities that differ by less are the same place");
+  v.number("tolerance_share", s.tolerance, Unit::fraction, {0.0, 0.5},
+           "or by less than this share of the disparity");
+  v.integer("slack", s.slack_px, {0, 8}, "error of the predicted place");
+  v.number("slowest", s.slowest_m_s, Unit::speed, {0.0, 2.0}, "slower things stand");
+  v.number("fastest", s.fastest_m_s, Unit::speed, {0.1, 10.0}, "largest velocity searched");
+  v.integer("narrowest", s.narrowest_px, {1, 160}, "columns of a moving thing");
+  v.number("least_share", s.least_share, Unit::fraction, {0.05, 1.0},
+           "of a column's obstacle that must have been free before");
+}
+
+}  // namespace striate
