@@ -44,6 +44,13 @@ float Decision::sub_pixel(int best, int x, int limit) const {
   return whole + 0.5F * static_cast<float>(below - above) / static_cast<float>(slope);
 }
 
+/// As the settings measure it; 0 where the evidence says nothing.
+float Decision::confidence(const StereoEvidence& evidence) const {
+  const float score = stereo_score(evidence);
+  if (score <= 0.0F || settings_.confidence == StereoConfidence::score) return score;
+  return promise_of(score);
+}
+
 void Decision::decide_row(const Input& input, int y, DisparityMap& out) {
   const int width = input.costs.width();
   const std::uint8_t* costs = input.costs.line(y);
@@ -57,12 +64,11 @@ void Decision::decide_row(const Input& input, int y, DisparityMap& out) {
     const int second = winners_.row(kSecond)[x];
     if (std::abs(winners_.row(kRightBest)[x - best] - best) > settings_.left_right_px) continue;
     const int cost = costs[best * input.costs.stride() + x];
-    const float confidence =
-        stereo_confidence({second - smallest, smallest, winners_.row(kRawSecond)[x] - cost, cost,
-                           strongest_response(input.left, y, x)});
-    if (confidence < least_confidence_) continue;
+    const float sure = confidence({second - smallest, smallest, winners_.row(kRawSecond)[x] - cost,
+                                   cost, strongest_response(input.left, y, x)});
+    if (sure <= 0.0F || sure < least_confidence_) continue;
     disparities[x] = sub_pixel(best, x, std::min(input.candidates, x + 1));
-    confidences[x] = confidence;
+    confidences[x] = sure;
   }
 }
 
@@ -112,6 +118,7 @@ void Decision::decide(const Input& input, DisparityMap& out) {
     decide_row(input, y, out);
   }
   drop_speckles(out);
+  gaps_.fill({(settings_.fill_gap_px * width + 80) / 160, least_confidence_}, out);
 }
 
 }  // namespace striate

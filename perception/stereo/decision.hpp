@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "perception/percept.hpp"
+#include "perception/stereo/gap_filling.hpp"
 #include "perception/stereo/semi_global.hpp"
 #include "perception/stereo/stereo_settings.hpp"
 #include "perception/stereo/winner_kernels.hpp"
@@ -37,19 +38,25 @@ class Decision {
 
  private:
   void find_winners(const Input& input, int y);
+  [[nodiscard]] float confidence(const StereoEvidence& evidence) const;
   void decide_row(const Input& input, int y, DisparityMap& out);
   [[nodiscard]] float sub_pixel(int best, int x, int limit) const;
   void drop_speckles(DisparityMap& out);
 
   RobustStereoSettings settings_;
   float least_confidence_;
+  GapFilling gaps_;
   Plane<std::uint16_t> sums_;     ///< of one row, [disparity][column]
   Plane<std::uint16_t> winners_;  ///< rows: best, smallest, second, raw_second, right_best
   std::vector<std::uint8_t> seen_;
   std::vector<int> piece_;
 };
 
-/// Estimated probability, in steps of 1/1000, that a disparity is right within 1 px.
-[[nodiscard]] float stereo_confidence(const StereoEvidence& evidence);
+/// StereoConfidence::score, in steps of 1/1000; 0: says nothing.
+[[nodiscard]] float stereo_score(const StereoEvidence& evidence);
+
+/// StereoConfidence::promise, from the score: the share of such disparities that is right within
+/// 1 px, as both eyes see them.
+[[nodiscard]] float promise_of(float score);
 
 }  // namespace striate
