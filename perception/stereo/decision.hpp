@@ -7,6 +7,7 @@
 #include "perception/percept.hpp"
 #include "perception/stereo/gap_filling.hpp"
 #include "perception/stereo/semi_global.hpp"
+#include "perception/stereo/speckles.hpp"
 #include "perception/stereo/stereo_settings.hpp"
 #include "perception/stereo/winner_kernels.hpp"
 #include "perception/v1/v1_cells.hpp"
@@ -28,28 +29,29 @@ class Decision {
   explicit Decision(const RobustStereoSettings& settings);
 
   struct Input {
-    const Volume<std::uint8_t>& costs;  ///< raw Hamming costs
-    const SemiGlobal& smoothed;
+    const Volume<std::uint8_t>& costs;   ///< raw Hamming costs
     const Plane<std::uint8_t>& outside;  ///< see SmoothedRow
     const V1Responses& left;
     int candidates = 0;
   };
-  void decide(const Input& input, DisparityMap& out);
+  void begin(const Input& input);
+  /// All rows, in any order.
+  void decide_row(const Input& input, int y, const SmoothedCosts& smoothed, DisparityMap& out);
+  /// After the last row: what needs the neighbourhood.
+  void finish(DisparityMap& out);
 
  private:
-  void find_winners(const Input& input, int y);
+  void find_winners(const Input& input, int y, const SmoothedCosts& smoothed);
   [[nodiscard]] float confidence(const StereoEvidence& evidence) const;
-  void decide_row(const Input& input, int y, DisparityMap& out);
   [[nodiscard]] float sub_pixel(int best, int x, int limit) const;
-  void drop_speckles(DisparityMap& out);
 
   RobustStereoSettings settings_;
   float least_confidence_;
+  Speckles speckles_;
   GapFilling gaps_;
-  Plane<std::uint16_t> sums_;     ///< of one row, [disparity][column]
-  Plane<std::uint16_t> winners_;  ///< rows: best, smallest, second, raw_second, right_best
-  std::vector<std::uint8_t> seen_;
-  std::vector<int> piece_;
+  Plane<std::uint16_t> sums_;      ///< of one row, [disparity][column]
+  Plane<std::int16_t> strongest_;  ///< row 0: code of the strongest complex cell
+  Plane<std::uint16_t> winners_;   ///< rows: best, smallest, second, raw_second, right_best
 };
 
 /// StereoConfidence::score, in steps of 1/1000; 0: says nothing.

@@ -95,9 +95,19 @@ class StereoMatcher::Work {
   void match_robust(cv::Size size, DisparityMap& out) {
     phase_codes(left_, 0, left_phase_);
     phase_codes(right_, rounded_, right_phase_);
-    phase_costs_.compute(left_phase_, right_phase_, outside_, rounded_, costs_);
-    semi_global_.smooth(costs_, size.height);
-    decision_.decide({costs_, semi_global_, outside_, left_, candidates_}, out);
+    costs_.resize(size.height, rounded_, size.width);
+    const PhaseCosts::Job job{left_phase_, right_phase_, outside_, costs_};
+    semi_global_.begin(costs_, size.height);
+    for (int y = 0; y < size.height; ++y) {
+      phase_costs_.compute_row(job, y);
+      semi_global_.take_row(y);
+    }
+    const Decision::Input input{costs_, outside_, left_, candidates_};
+    decision_.begin(input);
+    for (int y = size.height - 1; y >= 0; --y) {
+      decision_.decide_row(input, y, semi_global_.finish_row(y), out);
+    }
+    decision_.finish(out);
   }
 
   StereoSettings settings_;

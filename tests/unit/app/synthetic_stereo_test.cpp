@@ -41,7 +41,7 @@ TEST(SyntheticStereo, TheTruthBringsTheEyesTogether) {
 TEST(SyntheticStereo, OfWhatIsSaidToBeRightWithNinetyPercentAboutNinetyAre) {
   StereoMatcher stereo{StereoSettings{}};
   int said = 0, right = 0;
-  for (std::uint64_t seed = kNotFitted; seed < kNotFitted + 16; ++seed) {
+  for (std::uint64_t seed = kNotFitted; seed < kNotFitted + 6; ++seed) {
     const SyntheticPair pair = synthetic_stereo(kSize, seed);
     const DisparityMap map = stereo.match(pair.left, pair.right);
     for (int y = 0; y < kSize.height; ++y) {
@@ -54,7 +54,7 @@ TEST(SyntheticStereo, OfWhatIsSaidToBeRightWithNinetyPercentAboutNinetyAre) {
       }
     }
   }
-  ASSERT_GT(said, 5000);
+  ASSERT_GT(said, 2000);
   EXPECT_GT(right, 0.84 * said);
   EXPECT_LT(right, 0.95 * said);
 }
