@@ -39,7 +39,7 @@ void SemiGlobal::begin(const Volume<std::uint8_t>& costs, int height) {
   const int width = costs.width(), disparities = costs.disparities;
   from_above_.resize(height, disparities, width);
   sums_.resize(1, disparities, width);
-  level_means_.resize(height, disparities, width);
+  level_means_.resize(std::min(height, kStripRows), disparities, width);
   strip_costs_.resize(disparities * kStripRows, width, 0, 0);
   strip_means_.resize(disparities * kStripRows, width, 0, 0);
   for (Plane<std::uint8_t>& paths : strip_paths_) paths.resize(disparities * kStripRows, 2, 0, 0);
@@ -67,45 +67,53 @@ void SemiGlobal::sweep_level(int y, int rows) {
   stereo_kernels::turn({costs_->line(y), costs_->line_step(), costs_->stride()},
                        {rows, width, disparities},
                        {strip_costs_.row(0), strip_costs_.stride(), kStripRows});
-  SweepStep step{nullptr, kStripRows, kStripRows, disparities, small_penalty_, large_penalty_};
-  auto start = [&] {
-    std::fill_n(strip_paths_[0].row(0), disparities * kStripRows, std::uint8_t{0});
-    std::fill_n(strip_paths_[0].row(1), kStripRows, std::uint8_t{0});
-  };
-  // Rightwards the path costs are written where the means will be.
-  start();
-  for (int x = 0; x < width; ++x) {
-    const auto side = static_cast<std::size_t>(x % 2);
-    step.costs = strip_costs_.row(x);
-    stereo_kernels::PathLine before = strip_line(side), here = strip_line(1 - side);
-    if (x > 0) before.costs = strip_means_.row(x - 1);
-    here.costs = strip_means_.row(x);
-    stereo_kernels::sweep_straight(step, {before, here, nullptr});
-  }
-  start();
-  for (int n = 0; n < width; ++n) {
-    const int x = width - 1 - n;
-    const auto side = static_cast<std::size_t>(n % 2);
-    step.costs = strip_costs_.row(x);
-    stereo_kernels::sweep_straight(step,
-                                   {strip_line(side), strip_line(1 - side), strip_means_.row(x)});
-  }
+  start_strip_paths();
+  for (int x = 0; x < width; ++x) sweep_rightwards(x);
+  start_strip_paths();
+  for (int x = width - 1; x >= 0; --x) sweep_leftwards(x);
   stereo_kernels::turn({strip_means_.row(0), strip_means_.stride(), kStripRows},
                        {width, rows, disparities},
-                       {level_means_.line(y), level_means_.line_step(), level_means_.stride()});
+                       {level_means_.line(0), level_means_.line_step(), level_means_.stride()});
+}
+
+void SemiGlobal::start_strip_paths() {
+  const int count = costs_->disparities * kStripRows;
+  for (Plane<std::uint8_t>& paths : strip_paths_) {
+    std::fill_n(paths.row(0), count, std::uint8_t{0});
+    std::fill_n(paths.row(1), kStripRows, std::uint8_t{0});
+  }
+}
+
+/// The path costs are written where the means will be.
+void SemiGlobal::sweep_rightwards(int x) {
+  const auto side = static_cast<std::size_t>(x % 2);
+  stereo_kernels::PathLine before = strip_line(side), here = strip_line(1 - side);
+  if (x > 0) before.costs = strip_means_.row(x - 1);
+  here.costs = strip_means_.row(x);
+  stereo_kernels::sweep_straight(strip_step(x), {before, here, nullptr});
+}
+
+void SemiGlobal::sweep_leftwards(int x) {
+  const auto side = static_cast<std::size_t>(x % 2);
+  stereo_kernels::sweep_straight(strip_step(x),
+                                 {strip_line(side), strip_line(1 - side), strip_means_.row(x)});
+}
+
+SweepStep SemiGlobal::strip_step(int x) const {
+  return {strip_costs_.row(x), kStripRows,     kStripRows,
+          costs_->disparities, small_penalty_, large_penalty_};
 }
 
 void SemiGlobal::take_row(int y) {
   sweep_steep(y, true);
-  const bool last = y + 1 == height_;
-  const int in_strip = y % kStripRows + 1;
-  if (in_strip == kStripRows || last) sweep_level(y + 1 - in_strip, in_strip);
-  if (last) start_paths();
+  if (y + 1 == height_) start_paths();
 }
 
 SmoothedCosts SemiGlobal::finish_row(int y) {
+  const int in_strip = y % kStripRows;
+  if (in_strip + 1 == kStripRows || y + 1 == height_) sweep_level(y - in_strip, in_strip + 1);
   sweep_steep(y, false);
-  return {sums_.line(0), sums_.stride(), level_means_.line(y), level_means_.stride()};
+  return {sums_.line(0), sums_.stride(), level_means_.line(in_strip), level_means_.stride()};
 }
 
 }  // namespace striate

@@ -21,8 +21,8 @@ struct SmoothedCosts {
 /// Semi-global smoothing of matching costs along 8 paths (Hirschmueller 2008). Keeps its buffers.
 ///
 /// Row by row, so that what was just written is still in the cache: on the way down the paths from
-/// above and, a strip of rows at a time, the horizontal ones; on the way up those from below, and
-/// each row is complete. Vertical and diagonal paths go from row to row with the columns in the
+/// above; on the way up, a strip of rows at a time, the horizontal ones and then those from below,
+/// and each row is complete. Vertical and diagonal paths go from row to row with the columns in the
 /// lanes of a vector; for the horizontal ones a strip is turned, its rows in the lanes.
 class SemiGlobal {
  public:
@@ -43,6 +43,10 @@ class SemiGlobal {
   [[nodiscard]] stereo_kernels::PathLine path_line(std::size_t side, std::size_t direction);
   [[nodiscard]] stereo_kernels::PathLine strip_line(std::size_t side);
   void start_paths();
+  void start_strip_paths();
+  void sweep_rightwards(int x);
+  void sweep_leftwards(int x);
+  [[nodiscard]] stereo_kernels::SweepStep strip_step(int x) const;
 
   int small_penalty_;
   int large_penalty_;
@@ -52,7 +56,7 @@ class SemiGlobal {
   std::array<std::array<Plane<std::uint8_t>, 3>, 2> smallest_;
   Volume<std::uint16_t> from_above_;  ///< sums of the three paths from above
   Volume<std::uint16_t> sums_;        ///< of the row that was finished last
-  Volume<std::uint8_t> level_means_;
+  Volume<std::uint8_t> level_means_;  ///< of a strip
   /// A strip, one row a column of the picture: [disparity][row of the strip].
   Plane<std::uint8_t> strip_costs_, strip_means_;
   std::array<Plane<std::uint8_t>, 2> strip_paths_;  ///< row 0: paths, row 1: their smallest

@@ -37,7 +37,7 @@ void sweep_three(const SweepStep& step, const ThreePaths& paths);
 
 /// Rows of the picture whose horizontal paths are followed together, in the lanes of a vector: few
 /// enough that the turned strip stays in the cache.
-inline constexpr int kStripRows = 32;
+inline constexpr int kStripRows = 16;
 
 /// The straight direction only; the width is kStripRows.
 struct StraightPath {
