@@ -34,33 +34,29 @@ float Decision::sub_pixel(int best, int x, int limit) const {
   return whole + 0.5F * static_cast<float>(below - above) / static_cast<float>(slope);
 }
 
-/// As the settings measure it; 0 where the evidence says nothing.
-float Decision::confidence(const StereoEvidence& evidence) const {
-  const float score = stereo_score(evidence);
-  if (score <= 0.0F || settings_.confidence == StereoConfidence::score) return score;
-  return promise_of(score);
-}
-
 void Decision::decide_row(const Input& input, int y, const SmoothedCosts& smoothed,
                           DisparityMap& out) {
   find_winners(input, y, smoothed);
   std::array<const std::int16_t*, kOrientations> responses{};
   for (std::size_t i = 0; i < kOrientations; ++i) responses[i] = input.left.code[i].row(y);
   stereo_kernels::largest_of_rows(responses, input.costs.width(), strongest_.row(0));
-  const int width = input.costs.width();
+  const int width = input.costs.width(), stride = input.costs.stride();
   const std::uint8_t* costs = input.costs.line(y);
+  const std::int16_t* strongest = strongest_.row(0);
+  const std::uint16_t *bests = winners_.row(kBest), *right_bests = winners_.row(kRightBest);
+  const std::uint16_t *smallest = winners_.row(kSmallest), *second = winners_.row(kSecond);
+  const std::uint16_t* raw_second = winners_.row(kRawSecond);
   float* disparities = out.disparity_px.ptr<float>(y);
   float* confidences = out.confidence.ptr<float>(y);
   for (int x = 0; x < width; ++x) {
     disparities[x] = kNoMatch;
     confidences[x] = 0.0F;
-    const int best = winners_.row(kBest)[x];
-    const int smallest = winners_.row(kSmallest)[x];
-    const int second = winners_.row(kSecond)[x];
-    if (std::abs(winners_.row(kRightBest)[x - best] - best) > settings_.left_right_px) continue;
-    const int cost = costs[best * input.costs.stride() + x];
-    const float sure = confidence({second - smallest, smallest, winners_.row(kRawSecond)[x] - cost,
-                                   cost, strongest_.row(0)[x] + 32768});
+    const int best = bests[x];
+    if (std::abs(right_bests[x - best] - best) > settings_.left_right_px) continue;
+    const int cost = costs[best * stride + x];
+    const float sure = stereo_confidence(
+        {second[x] - smallest[x], smallest[x], raw_second[x] - cost, cost, strongest[x] + 32768},
+        settings_.confidence);
     if (sure <= 0.0F || sure < least_confidence_) continue;
     disparities[x] = sub_pixel(best, x, std::min(input.candidates, x + 1));
     confidences[x] = sure;

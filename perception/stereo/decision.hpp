@@ -42,7 +42,6 @@ class Decision {
 
  private:
   void find_winners(const Input& input, int y, const SmoothedCosts& smoothed);
-  [[nodiscard]] float confidence(const StereoEvidence& evidence) const;
   [[nodiscard]] float sub_pixel(int best, int x, int limit) const;
 
   RobustStereoSettings settings_;
@@ -54,8 +53,8 @@ class Decision {
   Plane<std::uint16_t> winners_;   ///< rows: best, smallest, second, raw_second, right_best
 };
 
-/// StereoConfidence::score, in steps of 1/1000; 0: says nothing.
-[[nodiscard]] float stereo_score(const StereoEvidence& evidence);
+/// In steps of 1/1000; 0: the evidence says nothing.
+[[nodiscard]] float stereo_confidence(const StereoEvidence& evidence, StereoConfidence measure);
 
 /// StereoConfidence::promise, from the score: the share of such disparities that is right within
 /// 1 px, as both eyes see them.

@@ -278,13 +278,19 @@ TEST(StereoMatcher, RefusesSettingsOutOfRange) {
 }
 
 TEST(StereoScore, FallsWithWhatSmoothnessPaidAndGrowsWithTexture) {
-  EXPECT_GT(stereo_score({200, 500, 30, 60, 20000}), stereo_score({200, 900, 30, 60, 20000}));
-  EXPECT_GT(stereo_score({200, 600, 30, 60, 40000}), stereo_score({200, 600, 30, 60, 10000}));
+  for (const StereoConfidence measure : {StereoConfidence::score, StereoConfidence::promise}) {
+    auto confidence = [&](const StereoEvidence& e) { return stereo_confidence(e, measure); };
+    EXPECT_GT(confidence({200, 500, 30, 60, 20000}), confidence({200, 900, 30, 60, 20000}));
+    EXPECT_GT(confidence({200, 600, 30, 60, 40000}), confidence({200, 600, 30, 60, 10000}));
+  }
 }
 
 TEST(StereoScore, IsLowWhereAnotherDisparityIsAsGood) {
-  EXPECT_EQ(stereo_score({0, 0, 0, 0, 0}), 0.0F);
-  EXPECT_LT(stereo_score({200, 0, 0, 0, 40000}), 0.5F);
+  EXPECT_EQ(stereo_confidence({0, 0, 0, 0, 0}, StereoConfidence::score), 0.0F);
+  EXPECT_EQ(stereo_confidence({0, 0, 0, 0, 0}, StereoConfidence::promise), 0.0F);
+  EXPECT_LT(stereo_confidence({200, 0, 0, 0, 40000}, StereoConfidence::score), 0.5F);
+  EXPECT_EQ(stereo_confidence({200, 0, 0, 0, 40000}, StereoConfidence::promise),
+            promise_of(stereo_confidence({200, 0, 0, 0, 40000}, StereoConfidence::score)));
 }
 
 TEST(WorkingSize, IsTheMeanOfTheAreaThatAPixelCovers) {
