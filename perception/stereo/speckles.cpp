@@ -62,6 +62,8 @@ void Speckles::join_row(const DisparityMap& map, int y) {
 void Speckles::drop(int least_px, DisparityMap& map) {
   const int width = map.disparity_px.cols, height = map.disparity_px.rows;
   run_of_.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  joined_.reserve(run_of_.size());  // the worst picture has a run for every pixel
+  size_px_.reserve(run_of_.size());
   joined_.clear();
   size_px_.clear();
   for (int y = 0; y < height; ++y) join_row(map, y);
