@@ -142,7 +142,10 @@ void find_near_blobs(const PerceiveOptions& o, const StereoFrame& frame, Judged&
 }
 
 Judged judge(const PerceiveOptions& o, const StereoFrame& frame) {
+  constexpr double kTrustedPromise = 0.66;  // what a score of 0.3, the driving robot's, has kept
   PerceptionSettings settings;
+  settings.stereo = StereoSettings{};
+  settings.obstacles.trusted = kTrustedPromise;
   settings.stereo.setting = o.setting == "paper" ? StereoSetting::paper : StereoSetting::robust;
   settings.saliency.setting =
       o.setting == "paper" ? SaliencySetting::paper : SaliencySetting::robust;

@@ -15,9 +15,21 @@
 
 namespace striate {
 
+/// Without what the default of StereoSettings has gained since: the trials in the README were
+/// driven with it.
+[[nodiscard]] inline StereoSettings driven_stereo() {
+  StereoSettings stereo;
+  stereo.robust.confidence = StereoConfidence::score;
+  stereo.robust.least_confidence = 0.3;
+  stereo.robust.fill_gap_px = 0;
+  stereo.robust.fine_greys = false;
+  return stereo;
+}
+
 struct PerceptionSettings {
-  StereoSettings stereo;  ///< its `setting` also chooses how obstacles are found; its `width`
-                          ///< is the working size of everything but keypoints
+  /// Its `setting` also chooses how obstacles are found; its `width` is the working size of
+  /// everything but keypoints.
+  StereoSettings stereo = driven_stereo();
   ObstacleSettings obstacles;
   MotionSettings motion;
   CorridorSettings corridor;

@@ -1,5 +1,8 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <utility>
+
 #include "app/evaluation/evaluation.hpp"
 #include "app/evaluation/plot.hpp"
 #include "app/evaluation/report.hpp"
@@ -32,18 +35,23 @@ std::vector<std::string> cells(std::vector<std::string> names, const StereoScore
 void add_calibration(const Calibration& calibration, const std::string& size,
                      const std::string& state, Tables& tables) {
   PlotCurve curve{fmt::format("{}, {}", size, state), {}, {}};
+  auto add = [&](const std::string& range, const Calibration::Bin& bin) {
+    const double promised = 100.0 * bin.confidence_sum / std::max(1, bin.count);
+    const double right = 100.0 * bin.right / std::max(1, bin.count);
+    tables.calibration.add_row({size, state, range, std::to_string(bin.count),
+                                fmt::format("{:.1f}", promised), fmt::format("{:.1f}", right)});
+    return std::pair{promised, right};
+  };
   for (int k = 0; k < Calibration::kBins; ++k) {
     const Calibration::Bin& bin = calibration.bins()[static_cast<std::size_t>(k)];
     if (bin.count == 0) continue;
-    const double promised = 100.0 * bin.confidence_sum / bin.count;
-    const double right = 100.0 * bin.right / bin.count;
     const double tenth = 1.0 / Calibration::kBins;
-    tables.calibration.add_row(
-        {size, state, fmt::format("{:.1f}-{:.1f}", k * tenth, (k + 1) * tenth),
-         std::to_string(bin.count), fmt::format("{:.1f}", promised), fmt::format("{:.1f}", right)});
+    const auto [promised, right] =
+        add(fmt::format("{:.1f}-{:.1f}", k * tenth, (k + 1) * tenth), bin);
     curve.x.push_back(promised);
     curve.y.push_back(right);
   }
+  add("0.87-0.93", calibration.ninety());
   tables.promise.curves.push_back(std::move(curve));
 }
 

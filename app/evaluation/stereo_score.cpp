@@ -28,10 +28,13 @@ void Calibration::add(const cv::Mat1f& disparity_px, const cv::Mat1f& confidence
     for (int x = 0; x < truth_px.cols; ++x) {
       if (!std::isfinite(truth_px(y, x)) || !std::isfinite(disparity_px(y, x))) continue;
       const auto bin = std::clamp(static_cast<int>(confidence(y, x) * kBins), 0, kBins - 1);
-      Bin& to = bins_[static_cast<std::size_t>(bin)];
-      ++to.count;
-      to.right += std::abs(disparity_px(y, x) - truth_px(y, x)) <= 1.0F;
-      to.confidence_sum += confidence(y, x);
+      auto count = [&](Bin& to) {
+        ++to.count;
+        to.right += std::abs(disparity_px(y, x) - truth_px(y, x)) <= 1.0F;
+        to.confidence_sum += confidence(y, x);
+      };
+      count(bins_[static_cast<std::size_t>(bin)]);
+      if (std::abs(confidence(y, x) - 0.9F) <= 0.03F) count(ninety_);
     }
   }
 }

@@ -9,25 +9,15 @@ namespace {
 
 constexpr int kBest = 0, kSmallest = 1, kSecond = 2, kRawSecond = 3, kRightBest = 4;
 
-int strongest_response(const V1Responses& responses, int y, int x) {
-  int strongest = -32768;
-  for (const Plane<std::int16_t>& plane : responses.code) {
-    strongest = std::max<int>(strongest, plane.row(y)[x]);
-  }
-  return strongest + 32768;
-}
-
 }  // namespace
 
 Decision::Decision(const RobustStereoSettings& settings)
     : settings_(settings), least_confidence_(static_cast<float>(settings.least_confidence)) {}
 
-void Decision::find_winners(const Input& input, int y) {
-  const Volume<std::uint16_t>& steep = input.smoothed.steep_sums();
-  const Volume<std::uint8_t>& level = input.smoothed.level_means();
+void Decision::find_winners(const Input& input, int y, const SmoothedCosts& smoothed) {
   const stereo_kernels::SmoothedRow from{
-      steep.line(y),       steep.stride(),       level.line(y),       level.stride(),
-      input.costs.line(y), input.outside.row(0), input.costs.width(), input.candidates};
+      smoothed.steep_sums, smoothed.sum_stride,  smoothed.level_means, smoothed.mean_stride,
+      input.costs.line(y), input.outside.row(0), input.costs.width(),  input.candidates};
   stereo_kernels::find_winners(
       from, {sums_.row(0), sums_.stride(), winners_.row(kBest), winners_.row(kSmallest),
              winners_.row(kSecond), winners_.row(kRawSecond), winners_.row(kRightBest)});
@@ -44,74 +34,52 @@ float Decision::sub_pixel(int best, int x, int limit) const {
   return whole + 0.5F * static_cast<float>(below - above) / static_cast<float>(slope);
 }
 
-void Decision::decide_row(const Input& input, int y, DisparityMap& out) {
-  const int width = input.costs.width();
+void Decision::decide_row(const Input& input, int y, const SmoothedCosts& smoothed,
+                          DisparityMap& out) {
+  find_winners(input, y, smoothed);
+  std::array<const std::int16_t*, kOrientations> responses{};
+  for (std::size_t i = 0; i < kOrientations; ++i) responses[i] = input.left.code[i].row(y);
+  stereo_kernels::largest_of_rows(responses, input.costs.width(), strongest_.row(0));
+  const int width = input.costs.width(), stride = input.costs.stride();
   const std::uint8_t* costs = input.costs.line(y);
+  const std::int16_t* strongest = strongest_.row(0);
+  const std::uint16_t *bests = winners_.row(kBest), *right_bests = winners_.row(kRightBest);
+  const std::uint16_t *smallest = winners_.row(kSmallest), *second = winners_.row(kSecond);
+  const std::uint16_t* raw_second = winners_.row(kRawSecond);
   float* disparities = out.disparity_px.ptr<float>(y);
   float* confidences = out.confidence.ptr<float>(y);
   for (int x = 0; x < width; ++x) {
     disparities[x] = kNoMatch;
     confidences[x] = 0.0F;
-    const int best = winners_.row(kBest)[x];
-    const int smallest = winners_.row(kSmallest)[x];
-    const int second = winners_.row(kSecond)[x];
-    if (std::abs(winners_.row(kRightBest)[x - best] - best) > settings_.left_right_px) continue;
-    const int cost = costs[best * input.costs.stride() + x];
-    const float confidence =
-        stereo_confidence({second - smallest, smallest, winners_.row(kRawSecond)[x] - cost, cost,
-                           strongest_response(input.left, y, x)});
-    if (confidence < least_confidence_) continue;
+    const int best = bests[x];
+    if (std::abs(right_bests[x - best] - best) > settings_.left_right_px) continue;
+    const int cost = costs[best * stride + x];
+    const float sure = stereo_confidence(
+        {second[x] - smallest[x], smallest[x], raw_second[x] - cost, cost, strongest[x] + 32768},
+        settings_.confidence);
+    if (sure <= 0.0F || sure < least_confidence_) continue;
     disparities[x] = sub_pixel(best, x, std::min(input.candidates, x + 1));
-    confidences[x] = confidence;
+    confidences[x] = sure;
   }
 }
 
-/// Connected pieces, neighbours at most 1 px apart, that are too small to be things.
-void Decision::drop_speckles(DisparityMap& out) {
-  const int width = out.disparity_px.cols, height = out.disparity_px.rows;
-  auto* disparities = out.disparity_px.ptr<float>();
-  seen_.assign(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 0);
-  for (int start = 0; start < width * height; ++start) {
-    if (seen_[static_cast<std::size_t>(start)] != 0 || disparities[start] == kNoMatch) continue;
-    piece_.assign(1, start);
-    seen_[static_cast<std::size_t>(start)] = 1;
-    for (std::size_t at = 0; at < piece_.size(); ++at) {
-      const int here = piece_[at];
-      auto join = [&](bool inside, int there) {
-        if (!inside || seen_[static_cast<std::size_t>(there)] != 0) return;
-        if (!(std::abs(disparities[there] - disparities[here]) <= 1.0F)) return;
-        seen_[static_cast<std::size_t>(there)] = 1;
-        piece_.push_back(there);
-      };
-      join(here % width > 0, here - 1);
-      join(here % width < width - 1, here + 1);
-      join(here >= width, here - width);
-      join(here < width * (height - 1), here + width);
-    }
-    if (static_cast<int>(piece_.size()) >= settings_.speckle_px) continue;
-    for (const int index : piece_) {
-      disparities[index] = kNoMatch;
-      out.confidence.ptr<float>()[index] = 0.0F;
-    }
-  }
-}
-
-void Decision::decide(const Input& input, DisparityMap& out) {
+void Decision::begin(const Input& input) {
   const int width = input.costs.width();
   const int old_stride = sums_.stride(), old_height = sums_.height();
   sums_.resize(width, input.candidates, input.candidates + 64, 0);
   winners_.resize(width, 5, 0, 0);
+  strongest_.resize(width, 1, 0, 0);
   if (sums_.stride() != old_stride || sums_.height() != old_height) {
     for (int d = 0; d < input.candidates; ++d) {
       std::uint16_t* row = sums_.row(d);
       std::fill(row, row - sums_.margin() + sums_.stride(), std::uint16_t{65535});
     }
   }
-  for (int y = 0; y < out.disparity_px.rows; ++y) {
-    find_winners(input, y);
-    decide_row(input, y, out);
-  }
-  drop_speckles(out);
+}
+
+void Decision::finish(DisparityMap& out) {
+  speckles_.drop(settings_.speckle_px, out);
+  gaps_.fill({(settings_.fill_gap_px * out.disparity_px.cols + 80) / 160, least_confidence_}, out);
 }
 
 }  // namespace striate

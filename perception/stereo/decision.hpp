@@ -5,7 +5,9 @@
 #include <vector>
 
 #include "perception/percept.hpp"
+#include "perception/stereo/gap_filling.hpp"
 #include "perception/stereo/semi_global.hpp"
+#include "perception/stereo/speckles.hpp"
 #include "perception/stereo/stereo_settings.hpp"
 #include "perception/stereo/winner_kernels.hpp"
 #include "perception/v1/v1_cells.hpp"
@@ -27,29 +29,35 @@ class Decision {
   explicit Decision(const RobustStereoSettings& settings);
 
   struct Input {
-    const Volume<std::uint8_t>& costs;  ///< raw Hamming costs
-    const SemiGlobal& smoothed;
+    const Volume<std::uint8_t>& costs;   ///< raw Hamming costs
     const Plane<std::uint8_t>& outside;  ///< see SmoothedRow
     const V1Responses& left;
     int candidates = 0;
   };
-  void decide(const Input& input, DisparityMap& out);
+  void begin(const Input& input);
+  /// All rows, in any order.
+  void decide_row(const Input& input, int y, const SmoothedCosts& smoothed, DisparityMap& out);
+  /// After the last row: what needs the neighbourhood.
+  void finish(DisparityMap& out);
 
  private:
-  void find_winners(const Input& input, int y);
-  void decide_row(const Input& input, int y, DisparityMap& out);
+  void find_winners(const Input& input, int y, const SmoothedCosts& smoothed);
   [[nodiscard]] float sub_pixel(int best, int x, int limit) const;
-  void drop_speckles(DisparityMap& out);
 
   RobustStereoSettings settings_;
   float least_confidence_;
-  Plane<std::uint16_t> sums_;     ///< of one row, [disparity][column]
-  Plane<std::uint16_t> winners_;  ///< rows: best, smallest, second, raw_second, right_best
-  std::vector<std::uint8_t> seen_;
-  std::vector<int> piece_;
+  Speckles speckles_;
+  GapFilling gaps_;
+  Plane<std::uint16_t> sums_;      ///< of one row, [disparity][column]
+  Plane<std::int16_t> strongest_;  ///< row 0: code of the strongest complex cell
+  Plane<std::uint16_t> winners_;   ///< rows: best, smallest, second, raw_second, right_best
 };
 
-/// Estimated probability, in steps of 1/1000, that a disparity is right within 1 px.
-[[nodiscard]] float stereo_confidence(const StereoEvidence& evidence);
+/// In steps of 1/1000; 0: the evidence says nothing.
+[[nodiscard]] float stereo_confidence(const StereoEvidence& evidence, StereoConfidence measure);
+
+/// StereoConfidence::promise, from the score: the share of such disparities that is right within
+/// 1 px, as both eyes see them.
+[[nodiscard]] float promise_of(float score);
 
 }  // namespace striate

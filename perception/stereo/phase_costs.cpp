@@ -62,29 +62,37 @@ namespace striate {
 HWY_EXPORT(CodeDistances);
 HWY_EXPORT(SumOverPoints);
 
-void PhaseCosts::compute(const PhaseCodes& left, const PhaseCodes& right,
-                         const Plane<std::uint8_t>& outside, int disparities,
-                         Volume<std::uint8_t>& costs) {
-  constexpr int kLines = 2 * kPhaseReach + 1;
-  costs.resize(left.height, disparities, left.width);
-  code_distances_.resize(kLines, disparities, left.width);
-  const int stride = costs.stride();
-  auto line = [&](int y) { return code_distances_.line((y + kLines) % kLines); };
-  for (int y = -kPhaseReach; y < left.height + kPhaseReach; ++y) {
-    std::array<const std::uint8_t*, kPhaseBytes> from_left{}, from_right{};
-    for (std::size_t k = 0; k < kPhaseBytes; ++k) {
-      from_left[k] = left.bytes[k].row(y);
-      from_right[k] = right.bytes[k].row(y);
-    }
-    HWY_DYNAMIC_DISPATCH(CodeDistances)
-    (from_left, from_right, left.width, disparities, line(y), stride);
-    const int centre = y - kPhaseReach;
-    if (centre < 0) continue;
-    std::array<const std::uint8_t*, kLines> lines{};
-    for (int k = 0; k < kLines; ++k) lines[static_cast<std::size_t>(k)] = line(y - kLines + 1 + k);
-    HWY_DYNAMIC_DISPATCH(SumOverPoints)
-    (lines, outside.row(0), left.width, disparities, costs.line(centre), stride);
+namespace {
+constexpr int kLines = 2 * kPhaseReach + 1;
+int in_ring(int y) {
+  return (y + kLines) % kLines;
+}
+}  // namespace
+
+void PhaseCosts::compare_codes(const Job& job, int y) {
+  std::array<const std::uint8_t*, kPhaseBytes> left{}, right{};
+  for (std::size_t k = 0; k < kPhaseBytes; ++k) {
+    left[k] = job.left.bytes[k].row(y);
+    right[k] = job.right.bytes[k].row(y);
   }
+  HWY_DYNAMIC_DISPATCH(CodeDistances)
+  (left, right, job.left.width, job.costs.disparities, code_distances_.line(in_ring(y)),
+   job.costs.stride());
+}
+
+void PhaseCosts::compute_row(const Job& job, int y) {
+  const int disparities = job.costs.disparities;
+  if (y == 0) {
+    code_distances_.resize(kLines, disparities, job.left.width);
+    for (int above = -kPhaseReach; above < kPhaseReach; ++above) compare_codes(job, above);
+  }
+  compare_codes(job, y + kPhaseReach);
+  std::array<const std::uint8_t*, kLines> lines{};
+  for (int k = 0; k < kLines; ++k) {
+    lines[static_cast<std::size_t>(k)] = code_distances_.line(in_ring(y - kPhaseReach + k));
+  }
+  HWY_DYNAMIC_DISPATCH(SumOverPoints)
+  (lines, job.outside.row(0), job.left.width, disparities, job.costs.line(y), job.costs.stride());
 }
 
 }  // namespace striate

@@ -14,15 +14,21 @@ namespace striate {
 /// computed once. Integer arithmetic; vectorised. Keeps its buffers.
 class PhaseCosts {
  public:
-  /// @param right with a margin of at least `disparities` columns.
-  /// @param outside row 0 is 255 left of column 0 and 0 from there on, for the same margin.
-  /// @param disparities a multiple of 4.
-  /// @param costs [row][disparity][column]: bits that differ, at most 255; 255 where the right
-  /// pixel lies outside the picture.
-  void compute(const PhaseCodes& left, const PhaseCodes& right, const Plane<std::uint8_t>& outside,
-               int disparities, Volume<std::uint8_t>& costs);
+  struct Job {
+    const PhaseCodes& left;
+    const PhaseCodes& right;  ///< with a margin of at least the disparities, in columns
+    /// Row 0 is 255 left of column 0 and 0 from there on, for the same margin.
+    const Plane<std::uint8_t>& outside;
+    /// [row][disparity][column]; of the size of the pictures and a multiple of 4 disparities. Gets
+    /// the bits that differ, at most 255; 255 where the right pixel lies outside the picture.
+    Volume<std::uint8_t>& costs;
+  };
+  /// All rows, from the first to the last.
+  void compute_row(const Job& job, int y);
 
  private:
+  void compare_codes(const Job& job, int y);
+
   Volume<std::uint8_t> code_distances_;  ///< a ring of as many lines as a descriptor is high
 };
 

@@ -45,18 +45,15 @@ class StereoMatcher::Work {
         decision_(settings.robust) {}
 
   void match(const cv::Mat& left, const cv::Mat& right, DisparityMap& out) {
-    const int reach = robust_ ? 0 : descriptor_reach(settings_.paper_v1.wavelength_px, 1.0);
-    cells_.respond(left, reach, robust_, left_);
-    cells_.respond(right, reach, robust_, right_);
     prepare(left.cols);
     if (!out.disparity_px.isContinuous()) out.disparity_px.release();
     if (!out.confidence.isContinuous()) out.confidence.release();
     out.disparity_px.create(left.size());
     out.confidence.create(left.size());
     if (robust_) {
-      match_robust(left.size(), out);
+      match_robust(left, right, out);
     } else {
-      match_as_paper(left.size(), out);
+      match_as_paper(left, right, out);
     }
   }
 
@@ -72,7 +69,12 @@ class StereoMatcher::Work {
     std::fill(outside_.row(0), outside_.row(0) + width, std::uint8_t{0});
   }
 
-  void match_as_paper(cv::Size size, DisparityMap& out) {
+  void match_as_paper(const cv::Mat& left_picture, const cv::Mat& right_picture,
+                      DisparityMap& out) {
+    const cv::Size size = left_picture.size();
+    const int reach = descriptor_reach(settings_.paper_v1.wavelength_px, 1.0);
+    cells_.respond(left_picture, reach, false, left_);
+    cells_.respond(right_picture, reach, false, right_);
     left_row_.resize(size.width, kDescriptorPoints, 0, 0);
     right_row_.resize(size.width, kDescriptorPoints, stereo_kernels::kReachBack, 0);
     smallest_.resize(size.width, 1, 0, 0);
@@ -92,12 +94,26 @@ class StereoMatcher::Work {
     out.confidence.setTo(1.0F);
   }
 
-  void match_robust(cv::Size size, DisparityMap& out) {
+  void match_robust(const cv::Mat& left, const cv::Mat& right, DisparityMap& out) {
+    const cv::Size size = left.size();
+    // The left eye's responses take the place of the right one's, which is still in the cache.
+    cells_.respond(right, 0, true, left_);
+    phase_codes(left_, rounded_, right_phase_);
+    cells_.respond(left, 0, true, left_);
     phase_codes(left_, 0, left_phase_);
-    phase_codes(right_, rounded_, right_phase_);
-    phase_costs_.compute(left_phase_, right_phase_, outside_, rounded_, costs_);
-    semi_global_.smooth(costs_, size.height);
-    decision_.decide({costs_, semi_global_, outside_, left_, candidates_}, out);
+    costs_.resize(size.height, rounded_, size.width);
+    const PhaseCosts::Job job{left_phase_, right_phase_, outside_, costs_};
+    semi_global_.begin(costs_, size.height);
+    for (int y = 0; y < size.height; ++y) {
+      phase_costs_.compute_row(job, y);
+      semi_global_.take_row(y);
+    }
+    const Decision::Input input{costs_, outside_, left_, candidates_};
+    decision_.begin(input);
+    for (int y = size.height - 1; y >= 0; --y) {
+      decision_.decide_row(input, y, semi_global_.finish_row(y), out);
+    }
+    decision_.finish(out);
   }
 
   StereoSettings settings_;

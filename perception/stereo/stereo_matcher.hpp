@@ -26,8 +26,9 @@ namespace striate {
 ///
 /// robust: descriptors of the same 256 bits, from the simple cells' phase (see phase_code.hpp),
 /// semi-global smoothing of their Hamming costs (Hirschmueller 2008), sub-pixel, and rejection:
-/// left-right check, least confidence, speckles. What is rejected is kNoMatch. Confidence is the
-/// estimated probability that the disparity is right within 1 px.
+/// left-right check, least confidence, speckles. What is rejected is kNoMatch, but for small gaps,
+/// which their neighbours fill. Confidence is the share of such disparities that are right within
+/// 1 px (StereoConfidence::promise).
 ///
 /// Integer arithmetic up to the cost volume's minimum: the same result on every machine. Buffers
 /// are kept: after the first pair of a size nothing is allocated. Not for concurrent use; any

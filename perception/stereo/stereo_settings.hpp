@@ -10,17 +10,25 @@ namespace striate {
 /// paper: what the paper says, to the letter. robust: what works best here.
 enum class StereoSetting { paper, robust };
 
+/// What the number that comes with a disparity means.
+enum class StereoConfidence {
+  score,    ///< orders disparities; where it is low, it promises less than it keeps
+  promise,  ///< calibrated: of the disparities with 0.9, 90 % are right within 1 px
+};
+
 /// How the robust setting decides; the paper's setting has none of this.
 struct RobustStereoSettings {
   /// A shorter wavelength than the paper's 4 px and a narrow, round envelope: finer in the
   /// picture, and exactly separable, so also faster.
   V1Settings v1{3.0, 0.30, 1.0, EvenMean::envelope};
-  int small_step_penalty = 20;    ///< P1, in bits: neighbours differ by one pixel of disparity
-  int large_step_penalty = 80;    ///< P2, in bits: by more
-  int left_right_px = 1;          ///< tolerance of the left-right check
-  double least_confidence = 0.3;  ///< less certain disparities are unknown
+  int small_step_penalty = 20;  ///< P1, in bits: neighbours differ by one pixel of disparity
+  int large_step_penalty = 80;  ///< P2, in bits: by more
+  int left_right_px = 1;        ///< tolerance of the left-right check
+  StereoConfidence confidence = StereoConfidence::promise;
+  double least_confidence = 0.5;  ///< less certain disparities are unknown; in that measure
   int speckle_px = 40;            ///< connected pieces smaller than this are dropped
-  bool fine_greys = false;        ///< see StereoSettings::wants_fine_greys
+  int fill_gap_px = 10;           ///< gaps up to this long are filled at width 160; see GapFilling
+  bool fine_greys = true;         ///< see StereoSettings::wants_fine_greys
 };
 
 /// Settings of StereoMatcher.
@@ -52,9 +60,13 @@ void visit(V& v, RobustStereoSettings& s) {
   v.integer("small_step_penalty", s.small_step_penalty, {0, 120}, "bits, for a step of one pixel");
   v.integer("large_step_penalty", s.large_step_penalty, {1, 120}, "bits, for a larger step");
   v.integer("left_right", s.left_right_px, {0, 8}, "pixels that left and right may disagree by");
+  v.choice("confidence", s.confidence, {"score", "promise"},
+           "of a disparity: the bare score, or calibrated (a share that is right)");
   v.number("least_confidence", s.least_confidence, Unit::fraction, {0.0, 1.0},
            "less certain disparities are unknown");
   v.integer("speckle", s.speckle_px, {0, 2000}, "smaller connected pieces are dropped, pixels");
+  v.integer("fill_gap", s.fill_gap_px, {0, 100},
+            "longest gap that neighbours fill, pixels at width 160; 0: none is filled");
   v.flag("fine_greys", s.fine_greys, "keep sixteenths of a grey level of the working pictures");
 }
 

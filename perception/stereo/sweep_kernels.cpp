@@ -13,17 +13,18 @@ namespace striate::stereo_kernels::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 using D8 = hn::ScalableTag<std::uint8_t>;
-using V8 = hn::Vec<D8>;
 
 /// The window of three disparities that slides over one path direction at one position.
+template <class D>
 struct Path {
+  using V = hn::Vec<D>;
   const std::uint8_t* HWY_RESTRICT from;  ///< of the line before, already askew
   std::uint8_t* HWY_RESTRICT to;
-  V8 below, at, floor, ceiling, smallest;
+  V below, at, floor, ceiling, smallest;
 
   HWY_INLINE void Start(const PathLine& before, const PathLine& here, int x, int askew,
-                        V8 large_penalty) {
-    const D8 d8;
+                        V large_penalty) {
+    const D d8;
     from = before.costs + x + askew;
     to = here.costs + x;
     floor = hn::LoadU(d8, before.smallest + x + askew);
@@ -34,10 +35,10 @@ struct Path {
   }
 
   /// Path cost of the next disparity; `above` is the one after it in the line before.
-  HWY_INLINE V8 Next(V8 cost, V8 above, V8 small_penalty) {
-    const V8 step = hn::SaturatedAdd(hn::Min(below, above), small_penalty);
-    const V8 best = hn::Min(hn::Min(at, step), ceiling);
-    const V8 result = hn::SaturatedAdd(cost, hn::Sub(best, floor));
+  HWY_INLINE V Next(V cost, V above, V small_penalty) {
+    const V step = hn::SaturatedAdd(hn::Min(below, above), small_penalty);
+    const V best = hn::Min(hn::Min(at, step), ceiling);
+    const V result = hn::SaturatedAdd(cost, hn::Sub(best, floor));
     smallest = hn::Min(smallest, result);
     below = at;
     at = above;
@@ -46,27 +47,31 @@ struct Path {
 };
 
 /// One half of the lanes of three results, as 16 bit, onto the sums.
-template <class D16, class Half>
-HWY_INLINE void AddHalf(D16 d16, const V8* results, Half half, bool first, std::uint16_t* sums) {
+template <class D16, class V, class Half>
+HWY_INLINE void AddHalf(D16 d16, const V* results, Half half, const std::uint16_t* others,
+                        std::uint16_t* sums) {
   const auto two =
       hn::Add(hn::PromoteTo(d16, half(results[0])), hn::PromoteTo(d16, half(results[1])));
   const auto three = hn::Add(two, hn::PromoteTo(d16, half(results[2])));
-  hn::StoreU(first ? three : hn::Add(three, hn::LoadU(d16, sums)), d16, sums);
+  hn::StoreU(others == nullptr ? three : hn::Add(three, hn::LoadU(d16, others)), d16, sums);
 }
 
-HWY_INLINE void AddToSums(const V8* results, std::uint16_t* sums, bool first) {
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE void AddToSums(D /*d8*/, const V* results, const std::uint16_t* others,
+                          std::uint16_t* sums) {
 #if HWY_TARGET == HWY_SCALAR
-  const hn::Rebind<std::uint16_t, D8> d16;
+  const hn::Rebind<std::uint16_t, D> d16;
   AddHalf(
-      d16, results, [](V8 v) HWY_ATTR { return v; }, first, sums);
+      d16, results, [](V v) HWY_ATTR { return v; }, others, sums);
 #else
-  const hn::Repartition<std::uint16_t, D8> d16;
-  const hn::Half<D8> half8;
+  const hn::Repartition<std::uint16_t, D> d16;
+  const hn::Half<D> half8;
+  const int half = static_cast<int>(hn::Lanes(d16));
   AddHalf(
-      d16, results, [=](V8 v) HWY_ATTR { return hn::LowerHalf(half8, v); }, first, sums);
+      d16, results, [=](V v) HWY_ATTR { return hn::LowerHalf(half8, v); }, others, sums);
   AddHalf(
-      d16, results, [=](V8 v) HWY_ATTR { return hn::UpperHalf(half8, v); }, first,
-      sums + hn::Lanes(d16));
+      d16, results, [=](V v) HWY_ATTR { return hn::UpperHalf(half8, v); },
+      others == nullptr ? nullptr : others + half, sums + half);
 #endif
 }
 
@@ -76,56 +81,76 @@ void CloseLine(const SweepStep& s, const PathLine& here) {
   for (int d = 0; d < s.disparities; ++d) here.costs[d * s.stride + s.width] = 0;
 }
 
+/// The positions from x on, as many as a vector has lanes.
+template <class D>
+HWY_INLINE void SweepThreeAt(D d8, const SweepStep& s, const ThreePaths& p, int x) {
+  using V = hn::Vec<D>;
+  const V small_penalty = hn::Set(d8, static_cast<std::uint8_t>(s.small_penalty));
+  const V large_penalty = hn::Set(d8, static_cast<std::uint8_t>(s.large_penalty));
+  Path<D> paths[3];
+  V results[3];
+  HWY_UNROLL(3)
+  for (int k = 0; k < 3; ++k) {
+    const auto direction = static_cast<std::size_t>(k);
+    paths[k].Start(p.before[direction], p.here[direction], x, k - 1, large_penalty);
+  }
+  // Copies: bytes that are stored could be anything, also the members of s and p.
+  const int stride = s.stride, sum_stride = p.sum_stride, last = s.disparities - 1;
+  const std::uint8_t* HWY_RESTRICT costs = s.costs + x;
+  const std::uint16_t* others = p.others == nullptr ? nullptr : p.others + x;
+  std::uint16_t* sums = p.sums + x;
+  for (int d = 0; d <= last; ++d) {
+    const V cost = hn::LoadU(d8, costs + d * stride);
+    HWY_UNROLL(3)
+    for (int k = 0; k < 3; ++k) {
+      const V above =
+          d == last ? hn::Set(d8, 255) : hn::LoadU(d8, paths[k].from + (d + 1) * stride);
+      results[k] = paths[k].Next(cost, above, small_penalty);
+      hn::StoreU(results[k], d8, paths[k].to + d * stride);
+    }
+    AddToSums(d8, results, others == nullptr ? nullptr : others + d * sum_stride,
+              sums + d * sum_stride);
+  }
+  HWY_UNROLL(3)
+  for (int k = 0; k < 3; ++k) {
+    hn::StoreU(paths[k].smallest, d8, p.here[static_cast<std::size_t>(k)].smallest + x);
+  }
+}
+
 void SweepThree(const SweepStep& s, const ThreePaths& p) {
   const D8 d8;
-  const V8 small_penalty = hn::Set(d8, static_cast<std::uint8_t>(s.small_penalty));
-  const V8 large_penalty = hn::Set(d8, static_cast<std::uint8_t>(s.large_penalty));
   const int step = static_cast<int>(hn::Lanes(d8));
-  for (int x = 0; x < s.width; x += step) {
-    Path paths[3];
-    V8 results[3];
-    HWY_UNROLL(3)
-    for (int k = 0; k < 3; ++k) {
-      const auto direction = static_cast<std::size_t>(k);
-      paths[k].Start(p.before[direction], p.here[direction], x, k - 1, large_penalty);
-    }
-    for (int d = 0; d < s.disparities; ++d) {
-      const V8 cost = hn::LoadU(d8, s.costs + d * s.stride + x);
-      const bool last = d + 1 == s.disparities;
-      HWY_UNROLL(3)
-      for (int k = 0; k < 3; ++k) {
-        const V8 above =
-            last ? hn::Set(d8, 255) : hn::LoadU(d8, paths[k].from + (d + 1) * s.stride);
-        results[k] = paths[k].Next(cost, above, small_penalty);
-        hn::StoreU(results[k], d8, paths[k].to + d * s.stride);
-      }
-      AddToSums(results, p.sums + d * p.sum_stride + x, p.first);
-    }
-    HWY_UNROLL(3)
-    for (int k = 0; k < 3; ++k) {
-      hn::StoreU(paths[k].smallest, d8, p.here[static_cast<std::size_t>(k)].smallest + x);
-    }
-  }
+  int x = 0;
+#if HWY_TARGET == HWY_SCALAR
+  for (; x < s.width; x += step) SweepThreeAt(d8, s, p, x);
+#else
+  for (; x + step / 2 < s.width; x += step) SweepThreeAt(d8, s, p, x);
+  if (x < s.width) SweepThreeAt(hn::Half<D8>(), s, p, x);  // the rest fills half a vector at most
+#endif
   for (const PathLine& here : p.here) CloseLine(s, here);
 }
 
 void SweepStraight(const SweepStep& s, const StraightPath& p) {
-  const D8 d8;
-  const V8 small_penalty = hn::Set(d8, static_cast<std::uint8_t>(s.small_penalty));
-  const V8 large_penalty = hn::Set(d8, static_cast<std::uint8_t>(s.large_penalty));
+  // A strip of rows lies in the lanes: no more of them than it has rows.
+  const hn::CappedTag<std::uint8_t, kStripRows> d8;
+  using V = hn::Vec<decltype(d8)>;
+  const V small_penalty = hn::Set(d8, static_cast<std::uint8_t>(s.small_penalty));
+  const V large_penalty = hn::Set(d8, static_cast<std::uint8_t>(s.large_penalty));
   const int step = static_cast<int>(hn::Lanes(d8));
+  const int stride = s.stride, last = s.disparities - 1;
   for (int x = 0; x < s.width; x += step) {
-    Path path;
+    Path<hn::CappedTag<std::uint8_t, kStripRows>> path;
     path.Start(p.before, p.here, x, 0, large_penalty);
-    for (int d = 0; d < s.disparities; ++d) {
-      const V8 cost = hn::LoadU(d8, s.costs + d * s.stride + x);
-      const bool last = d + 1 == s.disparities;
-      const V8 above = last ? hn::Set(d8, 255) : hn::LoadU(d8, path.from + (d + 1) * s.stride);
-      const V8 result = path.Next(cost, above, small_penalty);
-      hn::StoreU(result, d8, path.to + d * s.stride);
-      if (p.average != nullptr) {
-        std::uint8_t* average = p.average + d * s.stride + x;
-        hn::StoreU(hn::AverageRound(result, hn::LoadU(d8, average)), d8, average);
+    const std::uint8_t* HWY_RESTRICT costs = s.costs + x;
+    std::uint8_t* HWY_RESTRICT average = p.average == nullptr ? nullptr : p.average + x;
+    for (int d = 0; d <= last; ++d) {
+      const V cost = hn::LoadU(d8, costs + d * stride);
+      const V above = d == last ? hn::Set(d8, 255) : hn::LoadU(d8, path.from + (d + 1) * stride);
+      const V result = path.Next(cost, above, small_penalty);
+      hn::StoreU(result, d8, path.to + d * stride);
+      if (average != nullptr) {
+        const V mean = hn::AverageRound(result, hn::LoadU(d8, average + d * stride));
+        hn::StoreU(mean, d8, average + d * stride);
       }
     }
     hn::StoreU(path.smallest, d8, p.here.smallest + x);
@@ -206,11 +231,10 @@ void sweep_straight(const SweepStep& step, const StraightPath& path) {
   HWY_DYNAMIC_DISPATCH(SweepStraight)(step, path);
 }
 
-void turn(const Volume<std::uint8_t>& from, const TurnShape& shape, Volume<std::uint8_t>& to) {
-  const std::ptrdiff_t from_line = std::ptrdiff_t{from.stride()} * (from.disparities + 1);
-  const std::ptrdiff_t to_line = std::ptrdiff_t{to.stride()} * (to.disparities + 1);
+void turn(const VolumePart<const std::uint8_t>& from, const TurnShape& shape,
+          const VolumePart<std::uint8_t>& to) {
   HWY_DYNAMIC_DISPATCH(Turn)
-  (from.line(0), from_line, from.stride(), to.line(0), to_line, to.stride(), shape);
+  (from.first, from.line, from.stride, to.first, to.line, to.stride, shape);
 }
 
 }  // namespace striate::stereo_kernels

@@ -1,9 +1,8 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
-
-#include "perception/stereo/volume.hpp"
 
 /// One step of semi-global matching's dynamic programming (Hirschmueller 2008, equation 13);
 /// vector code, dispatched at run time, integer. Lanes are the positions along one picture line;
@@ -30,19 +29,31 @@ struct SweepStep {
 /// The three directions that come from x - 1, x and x + 1 of the line before.
 struct ThreePaths {
   std::array<PathLine, 3> before, here;
-  std::uint16_t* sums = nullptr;  ///< the three path costs are added, or stored when `first`
-  int sum_stride = 0;
-  bool first = false;
+  const std::uint16_t* others = nullptr;  ///< sums of other paths; null: none
+  std::uint16_t* sums = nullptr;          ///< gets these and the three path costs
+  int sum_stride = 0;                     ///< of both
 };
 void sweep_three(const SweepStep& step, const ThreePaths& paths);
 
-/// The straight direction only.
+/// Rows of the picture whose horizontal paths are followed together, in the lanes of a vector: few
+/// enough that the turned strip stays in the cache.
+inline constexpr int kStripRows = 16;
+
+/// The straight direction only; the width is kStripRows.
 struct StraightPath {
   PathLine before, here;
   /// Not null: gets the mean (rounded up) of itself and the path costs of this line.
   std::uint8_t* average = nullptr;
 };
 void sweep_straight(const SweepStep& step, const StraightPath& path);
+
+/// Part of a volume [line][disparity][position].
+template <class T>
+struct VolumePart {
+  T* first = nullptr;
+  std::ptrdiff_t line = 0;  ///< elements from line to line
+  int stride = 0;           ///< from disparity to disparity
+};
 
 /// How much of a volume is turned.
 struct TurnShape {
@@ -51,7 +62,9 @@ struct TurnShape {
   int disparities = 0;
 };
 
-/// to[x][d][y] = from[y][d][x]; `to` has been given its size.
-void turn(const Volume<std::uint8_t>& from, const TurnShape& shape, Volume<std::uint8_t>& to);
+/// to[x][d][y] = from[y][d][x]. Rows of `to` must have room for the lines rounded up to 16; what
+/// is written behind the last line is of no meaning.
+void turn(const VolumePart<const std::uint8_t>& from, const TurnShape& shape,
+          const VolumePart<std::uint8_t>& to);
 
 }  // namespace striate::stereo_kernels

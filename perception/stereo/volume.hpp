@@ -19,6 +19,10 @@ struct Volume {
   [[nodiscard]] const T* line(int y) const { return plane.row(y * (disparities + 1)); }
 
   [[nodiscard]] int stride() const { return plane.stride(); }
+  /// Elements from line to line.
+  [[nodiscard]] std::ptrdiff_t line_step() const {
+    return std::ptrdiff_t{plane.stride()} * (disparities + 1);
+  }
   [[nodiscard]] int width() const { return plane.width(); }
 
   static constexpr int kMargin = 2;  ///< elements usable on either side of a row

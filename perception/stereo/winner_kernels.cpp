@@ -92,6 +92,17 @@ void FindWinners(const SmoothedRow& from, const WinnerRow& to) {
   RightWinners(from, to);
 }
 
+void LargestOfRows(const std::array<const std::int16_t*, 8>& rows, int width,
+                   std::int16_t* HWY_RESTRICT largest) {
+  const hn::ScalableTag<std::int16_t> d16;
+  const int step = static_cast<int>(hn::Lanes(d16));
+  for (int x = 0; x < width; x += step) {
+    auto most = hn::LoadU(d16, rows[0] + x);
+    for (std::size_t k = 1; k < rows.size(); ++k) most = hn::Max(most, hn::LoadU(d16, rows[k] + x));
+    hn::StoreU(most, d16, largest + x);
+  }
+}
+
 }  // namespace striate::stereo_kernels::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
@@ -99,9 +110,15 @@ HWY_AFTER_NAMESPACE();
 namespace striate::stereo_kernels {
 
 HWY_EXPORT(FindWinners);
+HWY_EXPORT(LargestOfRows);
 
 void find_winners(const SmoothedRow& from, const WinnerRow& to) {
   HWY_DYNAMIC_DISPATCH(FindWinners)(from, to);
+}
+
+void largest_of_rows(const std::array<const std::int16_t*, 8>& rows, int width,
+                     std::int16_t* largest) {
+  HWY_DYNAMIC_DISPATCH(LargestOfRows)(rows, width, largest);
 }
 
 }  // namespace striate::stereo_kernels

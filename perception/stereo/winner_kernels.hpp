@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 /// The best disparity of every pixel of a row; vector code, dispatched at run time, integer.
@@ -30,5 +31,9 @@ struct WinnerRow {
 };
 
 void find_winners(const SmoothedRow& from, const WinnerRow& to);
+
+/// largest[x] = the largest of the rows' values at x, from -32768; has room for vector steps.
+void largest_of_rows(const std::array<const std::int16_t*, 8>& rows, int width,
+                     std::int16_t* largest);
 
 }  // namespace striate::stereo_kernels

