@@ -83,6 +83,7 @@ struct Keypoint {
   double u_px = 0.0;  ///< sub-pixel, in the picture that was handed in
   double v_px = 0.0;
   double wavelength_px = 0.0;  ///< in that same picture
+  double angle_rad = 0.0;      ///< from +u towards +v; 0 where the descriptor has no orientation
   double response = 0.0;
   Descriptor descriptor;
 };

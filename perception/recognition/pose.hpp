@@ -15,7 +15,7 @@ struct Place {
 };
 
 [[nodiscard]] inline Place place_of(const Keypoint& point) {
-  return {point.u_px, point.v_px, point.wavelength_px, 0.0};
+  return {point.u_px, point.v_px, point.wavelength_px, point.angle_rad};
 }
 
 /// A keypoint of a view and one of the picture that may show the same.
