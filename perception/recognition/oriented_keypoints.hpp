@@ -1,6 +1,7 @@
 #pragma once
 
 #include <opencv2/core/mat.hpp>
+#include <span>
 #include <vector>
 
 #include "perception/descriptor/striate_descriptor.hpp"
@@ -16,7 +17,7 @@ struct OrientedSettings {
                              .threshold = 0.01,
                              .fine_first = 0.5,
                              .most = 1500};
-  double size_per_wavelength = 1.0;  ///< diameter of the described frame over lambda
+  double size_per_wavelength = 0.84;  ///< diameter of the described frame over lambda
   bool second_angle = true;          ///< keypoints with two directions stand twice
 };
 
@@ -29,6 +30,9 @@ class OrientedKeypoints {
 
   /// Strongest first. An empty picture throws std::invalid_argument.
   void find(const cv::Mat1b& grey, std::vector<Keypoint>& out);
+  /// Describes keypoints that were found elsewhere (those of a salient region, say) in `grey`.
+  /// @param out in the same order; those with two directions stand twice. Must not be `found`.
+  void describe(const cv::Mat1b& grey, std::span<const Keypoint> found, std::vector<Keypoint>& out);
   [[nodiscard]] std::vector<Keypoint> operator()(const cv::Mat1b& grey);
 
  private:
