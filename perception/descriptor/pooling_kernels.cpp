@@ -118,7 +118,7 @@ void PoolAll(const std::int16_t* HWY_RESTRICT window, std::span<const Pool> pool
         auto along = hn::Zero(d);
         for (int x = 0; x < p.taps; ++x) {
           along = hn::SaturatedAdd(along, hn::MulFixedPoint15(hn::LoadU(d, row + x * kChannels),
-                                                     hn::Set(d, p.across[x])));
+                                                              hn::Set(d, p.across[x])));
         }
         sum = hn::SaturatedAdd(sum, hn::MulFixedPoint15(along, hn::Set(d, p.down[y])));
       }

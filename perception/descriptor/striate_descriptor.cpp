@@ -13,9 +13,9 @@ namespace {
 using pooling_kernels::kWindowSide_px;
 
 constexpr double kPixelsPerSize = 2.0;
-constexpr int kBefore_px = 11;                            ///< window pixels before the place
-constexpr int kReach_px = kWindowSide_px - kBefore_px;    ///< more than behind it
-constexpr int kParts = 16;                                ///< of a pixel
+constexpr int kBefore_px = 11;                          ///< window pixels before the place
+constexpr int kReach_px = kWindowSide_px - kBefore_px;  ///< more than behind it
+constexpr int kParts = 16;                              ///< of a pixel
 constexpr double kTapSum = 32768.0;
 
 struct CircleShape {
@@ -150,10 +150,11 @@ void StriateDescriber::visit(std::span<const DescribedFrame> frames, See see) {
   }
 }
 
-void StriateDescriber::pool_place(const DescribedPlace& place, double angle_rad, PooledResponses& out) {
-  pooling_kernels::turn_window(
-      place.window, turn_of(angle_rad, pooling_kernels::largest_response(place.window)),
-      turned_window_.data());
+void StriateDescriber::pool_place(const DescribedPlace& place, double angle_rad,
+                                  PooledResponses& out) {
+  pooling_kernels::turn_window(place.window,
+                               turn_of(angle_rad, pooling_kernels::largest_response(place.window)),
+                               turned_window_.data());
   std::array<pooling_kernels::Pool, kPooledPoints> pools;
   std::size_t at = 0;
   for (std::size_t c = 0; c < circles_.size(); ++c) {

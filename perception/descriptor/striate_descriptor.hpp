@@ -71,7 +71,7 @@ class StriateDescriber {
 
  private:
   struct Circle {
-    int taps = 0;                              ///< along each side of its Gaussian
+    int taps = 0;                                 ///< along each side of its Gaussian
     std::vector<std::vector<std::int16_t>> rows;  ///< by sixteenths of a pixel
   };
   template <class See>

@@ -42,9 +42,8 @@ V1Field V1Scales::respond(int level, const cv::Rect2d& box) {
   const int half = std::clamp((level + kPerOctave / 2) / kPerOctave, 0, halved_ - 1);
   const cv::Mat1b& from = halvings_[static_cast<std::size_t>(half)];
   const double halved_px = std::ldexp(1.0, half);
-  const cv::Size size(
-      std::max(1, static_cast<int>(std::lround(from.cols * halved_px / step_px))),
-      std::max(1, static_cast<int>(std::lround(from.rows * halved_px / step_px))));
+  const cv::Size size(std::max(1, static_cast<int>(std::lround(from.cols * halved_px / step_px))),
+                      std::max(1, static_cast<int>(std::lround(from.rows * halved_px / step_px))));
   cv::resize(from, resized_, size, 0, 0, cv::INTER_LINEAR);
   const int reach = reach_px_ + cells_.bank().radius + 1;
   cv::copyMakeBorder(resized_, padded_, reach, reach, reach, reach, cv::BORDER_REPLICATE);

@@ -12,8 +12,8 @@ namespace striate {
 struct V1Field {
   const V1Responses* responses = nullptr;
   double zoom_u = 1.0, zoom_v = 1.0;  ///< pixels of the picture a pixel of the field
-  cv::Size whole;         ///< the picture at this size
-  int left = 0, top = 0;  ///< of the field's first pixel in it
+  cv::Size whole;                     ///< the picture at this size
+  int left = 0, top = 0;              ///< of the field's first pixel in it
 
   /// Where a place of the picture is in the field; one outside is moved to the nearest inside.
   [[nodiscard]] double u_of(double u_px) const {

@@ -18,7 +18,7 @@ struct OrientedSettings {
                              .fine_first = 0.5,
                              .most = 1500};
   double size_per_wavelength = 0.84;  ///< diameter of the described frame over lambda
-  bool second_angle = true;          ///< keypoints with two directions stand twice
+  bool second_angle = true;           ///< keypoints with two directions stand twice
 };
 
 /// Keypoints for recognition: end-stopped cells at many scales say where, Striate's own descriptor

@@ -150,7 +150,8 @@ bool Recogniser::find_pose(const View& view, std::span<const Keypoint> keypoints
   if (consensus.inliers < settings_.least_inliers) return false;
   found.inliers = consensus.inliers;
   found.matched_fraction = consensus.inliers / static_cast<double>(view.store.size());
-  found.score = consensus.inliers / static_cast<double>(consensus.inliers + settings_.least_inliers);
+  found.score =
+      consensus.inliers / static_cast<double>(consensus.inliers + settings_.least_inliers);
   write_pose(consensus.pose, view.width_px, view.height_px, found);
   return true;
 }

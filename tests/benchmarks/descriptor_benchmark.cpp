@@ -10,8 +10,8 @@
 #include "tests/reference/test_pictures.hpp"
 
 /// descriptor_benchmark [PICTURE]: Striate's own descriptor of given frames at 640x480 beside ORB's
-/// and BRISK's, and keypoints with descriptors; one core, methods in turns, ratios to ORB. Without a
-/// picture a texture made by rule is used.
+/// and BRISK's, and keypoints with descriptors; one core, methods in turns, ratios to ORB. Without
+/// a picture a texture made by rule is used.
 namespace striate {
 namespace {
 

@@ -7,8 +7,8 @@
 #include <map>
 #include <opencv2/features2d.hpp>
 
-#include "perception/keypoints/keypoints.hpp"
 #include "perception/matching/hamming_search.hpp"
+#include "perception/recognition/oriented_keypoints.hpp"
 #include "tests/benchmarks/in_turns.hpp"
 #include "tests/reference/hamming_reference.hpp"
 #include "tests/reference/test_pictures.hpp"
@@ -56,14 +56,16 @@ Data complete(std::vector<Descriptor> stored) {
   return data;
 }
 
-/// Descriptors of keypoints in made pictures: their bits depend on each other as real ones do.
+/// Striate's own descriptors of keypoints in made pictures: their bits depend on each other as real
+/// ones do.
 std::vector<Descriptor> of_keypoints(std::size_t count) {
   std::vector<Descriptor> result;
-  KeypointSettings settings;
-  settings.threshold = 0.0;
-  KeypointFinder finder(settings);
+  OrientedSettings settings;
+  settings.keypoints = {};
+  settings.keypoints.threshold = 0.0;
+  OrientedKeypoints oriented(settings);
   for (int seed = 1; result.size() < count; ++seed) {
-    for (const Keypoint& point : finder.find(reference::texture({640, 480}, seed))) {
+    for (const Keypoint& point : oriented(reference::texture({640, 480}, seed))) {
       if (result.size() < count) result.push_back(point.descriptor);
     }
   }

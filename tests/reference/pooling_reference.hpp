@@ -29,7 +29,8 @@ inline std::vector<std::int16_t> turned_window(const pooling_kernels::OddWindow&
         const int here = towards(turn.steps + c % kOrientations);
         const int next = towards(turn.steps + c % kOrientations + 1);
         const int between = here - times_15(here, turn.fraction) + times_15(next, turn.fraction);
-        out.push_back(static_cast<std::int16_t>(std::max(c < kOrientations ? between : -between, 0)));
+        out.push_back(
+            static_cast<std::int16_t>(std::max(c < kOrientations ? between : -between, 0)));
       }
     }
   }
@@ -44,8 +45,8 @@ inline std::int16_t pooled(const std::vector<std::int16_t>& window,
     int along = 0;
     for (int x = 0; x < pool.taps; ++x) {
       const int pixel = pool.first_pixel + y * kWindowSide_px + x;
-      along += times_15(window[static_cast<std::size_t>(pixel * kChannels + channel)],
-                        pool.across[x]);
+      along +=
+          times_15(window[static_cast<std::size_t>(pixel * kChannels + channel)], pool.across[x]);
     }
     sum += times_15(along, pool.down[y]);
   }
