@@ -32,7 +32,7 @@ cv::Mat1b coarse_texture(cv::Size size, int seed) {
 
 /// An object on black.
 cv::Mat1b taught(int seed) {
-  cv::Mat1b picture({240, 200}, std::uint8_t{0});
+  cv::Mat1b picture(cv::Size(240, 200), std::uint8_t{0});
   coarse_texture({180, 150}, seed).copyTo(picture(cv::Rect(30, 25, 180, 150)));
   return picture;
 }
