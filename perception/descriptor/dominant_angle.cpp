@@ -11,10 +11,12 @@ namespace {
 
 constexpr int kBefore_px = 6;
 constexpr int kSide_px = 14;
+constexpr int kColumns = 16;  ///< summed in each row; the last two are left out
 constexpr double kSigma_px = 2.0;
 constexpr std::size_t kBins = 36;
 constexpr int kSmoothings = 6;
-constexpr float kSecondPeak = 0.8F;  ///< of the highest
+constexpr float kLeastWeight = 0.02F;  ///< beyond 2.8 sigma nothing is counted
+constexpr float kSecondPeak = 0.8F;    ///< of the highest
 
 using Histogram = std::array<float, kBins>;
 
@@ -53,17 +55,18 @@ Histogram histogram_of(const pooling_kernels::OddWindow& at, double u, double v)
   const auto across = gaussian_row(u), down = gaussian_row(v);
   Histogram histogram{};
   for (std::size_t y = 0; y < kSide_px; ++y) {
-    std::array<float, kSide_px> sum_u{}, sum_v{};
+    std::array<float, kColumns> sum_u{}, sum_v{};
     for (std::size_t i = 0; i < kOrientations; ++i) {
       const std::int16_t* odd =
           at.odd[i] + (static_cast<std::ptrdiff_t>(y) - kBefore_px) * at.stride - kBefore_px;
-      for (std::size_t x = 0; x < kSide_px; ++x) {
+      for (std::size_t x = 0; x < kColumns; ++x) {
         sum_u[x] += static_cast<float>(odd[x]) * directions.u[i];
         sum_v[x] += static_cast<float>(odd[x]) * directions.v[i];
       }
     }
     for (std::size_t x = 0; x < kSide_px; ++x) {
-      add(sum_u[x], sum_v[x], across[x] * down[y], histogram);
+      const float weight = across[x] * down[y];
+      if (weight >= kLeastWeight) add(sum_u[x], sum_v[x], weight, histogram);
     }
   }
   return histogram;

@@ -69,12 +69,15 @@ using V8 = hn::Vec<D8>;
 HWY_INLINE void Transpose(V8* HWY_RESTRICT rows) {
   const D8 d;
   // Three perfect shuffles of 64 elements.
+#pragma GCC unroll 3
   for (int round = 0; round < 3; ++round) {
     V8 shuffled[kOrientations];
+#pragma GCC unroll 4
     for (int i = 0; i < 4; ++i) {
       shuffled[2 * i] = hn::InterleaveLower(d, rows[i], rows[i + 4]);
       shuffled[2 * i + 1] = hn::InterleaveUpper(d, rows[i], rows[i + 4]);
     }
+#pragma GCC unroll 8
     for (int i = 0; i < kOrientations; ++i) rows[i] = shuffled[i];
   }
 }
@@ -88,6 +91,7 @@ void TurnWindow(const OddWindow& window, const Turn& turn, std::int16_t* HWY_RES
       const std::ptrdiff_t at = static_cast<std::ptrdiff_t>(y) * window.stride + x;
       V8 rows[kOrientations];
       V8 value = hn::Mul(hn::LoadU(d, from.plane[0] + at), hn::Set(d, from.factor[0]));
+#pragma GCC unroll 8
       for (int i = 0; i < kOrientations; ++i) {
         const V8 next =
             hn::Mul(hn::LoadU(d, from.plane[i + 1] + at), hn::Set(d, from.factor[i + 1]));
@@ -97,6 +101,7 @@ void TurnWindow(const OddWindow& window, const Turn& turn, std::int16_t* HWY_RES
         value = next;
       }
       Transpose(rows);
+#pragma GCC unroll 8
       for (const V8 row : rows) {
         hn::StoreU(hn::Max(row, zero), d, out);
         hn::StoreU(hn::Max(hn::Sub(zero, row), zero), d, out + kOrientations);
