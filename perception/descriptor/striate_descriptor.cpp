@@ -29,20 +29,26 @@ V1Settings v1_settings() {
   return {3.0, 0.3, 1.0, EvenMean::envelope};
 }
 
+int parts_of(double at_px) {
+  return static_cast<int>(at_px * kParts + 0.5);
+}
+
 /// Gaussian taps around a place so many parts of a pixel behind the middle left one.
 std::vector<std::int16_t> gaussian_taps(int taps, double sigma_px, int part) {
-  std::vector<double> row;
+  const int middle = taps / 2 - 1;
+  const double behind = static_cast<double>(part) / kParts;
+  std::vector<double> row(static_cast<std::size_t>(taps));
   double sum = 0.0;
   for (int k = 0; k < taps; ++k) {
-    const double d = k - (taps / 2 - 1) - static_cast<double>(part) / kParts;
+    const double d = k - middle - behind;
     const double value = std::exp(-d * d / (2.0 * sigma_px * sigma_px));
-    row.push_back(value < 0.03 ? 0.0 : value);
-    sum += row.back();
+    row[static_cast<std::size_t>(k)] = value < 0.03 ? 0.0 : value;
+    sum += row[static_cast<std::size_t>(k)];
   }
-  std::vector<std::int16_t> result;
-  for (const double value : row) {
-    result.push_back(static_cast<std::int16_t>(std::lround(kTapSum * value / sum)));
-  }
+  std::vector<std::int16_t> result(row.size());
+  std::ranges::transform(row, result.begin(), [sum](double value) {
+    return static_cast<std::int16_t>(std::lround(kTapSum * value / sum));
+  });
   return result;
 }
 
@@ -107,6 +113,11 @@ StriateDescriber::StriateDescriber(const StriateSettings& settings)
   for (const CircleShape& shape : kCircles) {
     Circle circle;
     circle.taps = 2 * static_cast<int>(2.65 * shape.sigma_px) + 2;
+    for (int k = 0; k < shape.points; ++k) {
+      const double angle = 2.0 * std::numbers::pi * (k + shape.turn) / shape.points;
+      circle.points.emplace_back(shape.radius_px * std::cos(angle),
+                                 shape.radius_px * std::sin(angle));
+    }
     for (int part = 0; part < kParts; ++part) {
       circle.rows.push_back(gaussian_taps(circle.taps, shape.sigma_px, part));
     }
@@ -156,18 +167,17 @@ void StriateDescriber::pool_place(const DescribedPlace& place, double angle_rad,
                                turn_of(angle_rad, pooling_kernels::largest_response(place.window)),
                                turned_window_.data());
   std::array<pooling_kernels::Pool, kPooledPoints> pools;
+  const double along = std::cos(angle_rad), across = std::sin(angle_rad);
   std::size_t at = 0;
-  for (std::size_t c = 0; c < circles_.size(); ++c) {
-    const CircleShape& shape = kCircles[c];
-    const Circle& circle = circles_[c];
-    for (int k = 0; k < shape.points; ++k, ++at) {
-      const double angle = angle_rad + 2.0 * std::numbers::pi * (k + shape.turn) / shape.points;
-      const long u = std::lround(kParts * (place.u + shape.radius_px * std::cos(angle)));
-      const long v = std::lround(kParts * (place.v + shape.radius_px * std::sin(angle)));
-      const long before = circle.taps / 2 - 1;
-      pools[at] = {static_cast<int>((v / kParts - before) * kWindowSide_px + u / kParts - before),
-                   circle.taps, circle.rows[static_cast<std::size_t>(u % kParts)].data(),
-                   circle.rows[static_cast<std::size_t>(v % kParts)].data()};
+  for (const Circle& circle : circles_) {
+    const int before = circle.taps / 2 - 1;
+    for (const cv::Point2d& point : circle.points) {
+      // In whole parts of a pixel; the window begins at 0.
+      const int u = parts_of(place.u + along * point.x - across * point.y);
+      const int v = parts_of(place.v + across * point.x + along * point.y);
+      pools[at++] = {(v / kParts - before) * kWindowSide_px + u / kParts - before, circle.taps,
+                     circle.rows[static_cast<std::size_t>(u % kParts)].data(),
+                     circle.rows[static_cast<std::size_t>(v % kParts)].data()};
     }
   }
   std::array<std::int16_t, kPooledValues> sums{};

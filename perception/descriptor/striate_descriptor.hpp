@@ -71,8 +71,9 @@ class StriateDescriber {
 
  private:
   struct Circle {
+    std::vector<cv::Point2d> points;              ///< px from the middle, of an upright frame
     int taps = 0;                                 ///< along each side of its Gaussian
-    std::vector<std::vector<std::int16_t>> rows;  ///< by sixteenths of a pixel
+    std::vector<std::vector<std::int16_t>> rows;  ///< of taps, by sixteenths of a pixel
   };
   template <class See>
   void visit(std::span<const DescribedFrame> frames, See see);
