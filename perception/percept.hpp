@@ -90,9 +90,9 @@ struct Keypoint {
 
 /// A landmark that was found again. Places are in the picture that the keypoints came from.
 struct Recognition {
-  int landmark = 0;               ///< as it was handed in with its views
-  int view = 0;                   ///< the view that agrees best
-  double score = 0.0;             ///< 0..1: inliers / (inliers + the least that count); at least 0.5
+  int landmark = 0;    ///< as it was handed in with its views
+  int view = 0;        ///< the view that agrees best
+  double score = 0.0;  ///< 0..1: inliers / (inliers + the least that count); at least 0.5
   double matched_fraction = 0.0;  ///< 0..1 of the view's keypoints
   int inliers = 0;                ///< of them; robust: those that agree on one pose
   double u_px = 0.0;              ///< where the middle of the view is

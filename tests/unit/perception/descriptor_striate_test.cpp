@@ -161,7 +161,8 @@ TEST(DominantAngle, OfACornerAreTwoAndOneWhereOnlyOneIsAskedFor) {
   picture(cv::Rect(40, 40, 41, 41)).setTo(200);
   EXPECT_EQ(oriented(picture, true).size(), 2U);
   EXPECT_EQ(oriented(picture, false).size(), 1U);
-  EXPECT_EQ(oriented(cv::Mat1b(cv::Size(81, 81), std::uint8_t{60}), true).size(), 1U) << "nothing to see";
+  EXPECT_EQ(oriented(cv::Mat1b(cv::Size(81, 81), std::uint8_t{60}), true).size(), 1U)
+      << "nothing to see";
 }
 
 TEST(PoolingKernels, AreThePlainLoopsOnEveryInstructionSet) {
