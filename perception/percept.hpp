@@ -101,21 +101,24 @@ struct Keypoint {
   double u_px = 0.0;  ///< sub-pixel, in the picture that was handed in
   double v_px = 0.0;
   double wavelength_px = 0.0;  ///< in that same picture
+  double angle_rad = 0.0;      ///< from +u towards +v; 0 where the descriptor has no orientation
   double response = 0.0;
   Descriptor descriptor;
 };
 
-/// An object that was found again. Places are in the picture that the keypoints came from.
+/// A landmark that was found again. Places are in the picture that the keypoints came from.
 struct Recognition {
-  int object = 0;  ///< of the models that were handed in, from 0; so is the view
-  int view = 0;
+  int landmark = 0;    ///< as it was handed in with its views
+  int view = 0;        ///< the view that agrees best
+  double score = 0.0;  ///< 0..1: inliers / (inliers + the least that count); at least 0.5
   double matched_fraction = 0.0;  ///< 0..1 of the view's keypoints
   int inliers = 0;                ///< of them; robust: those that agree on one pose
-  double u_px = 0.0;              ///< centre of the region that it covers
+  double u_px = 0.0;              ///< where the middle of the view is
   double v_px = 0.0;
-  double width_px = 0.0;
+  double width_px = 0.0;  ///< of the upright box that encloses it
   double height_px = 0.0;
   double scale = 0.0;              ///< robust: pixels of the picture a pixel of the view
+  double angle_rad = 0.0;          ///< robust: how far it is turned, from +u towards +v
   double bearing_rad = 0.0;        ///< robot frame; filled in where the camera is known
   double distance_m = kNothing_m;  ///< filled in where disparity is known
 };

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <opencv2/features2d.hpp>
 
-#include "perception/recognition/pyramid_keypoints.hpp"
+#include "perception/recognition/oriented_keypoints.hpp"
 #include "perception/recognition/recogniser.hpp"
 
 namespace striate {
@@ -22,33 +22,27 @@ RecognitionSettings everything(RecognitionSetting setting) {
 
 class Ours final : public ObjectMethod {
  public:
-  /// @param turns of each taught picture. @param keypoints how pictures become keypoints.
-  Ours(std::string name, RecognitionSetting setting, int turns, KeypointSource keypoints)
+  /// @param keypoints how pictures become keypoints.
+  Ours(std::string name, RecognitionSetting setting, KeypointSource keypoints)
       : name_(std::move(name)),
         settings_(everything(setting)),
-        turns_(turns),
-        keypoints_(std::move(keypoints)) {}
+        keypoints_(std::move(keypoints)),
+        recogniser_(settings_) {}
 
   [[nodiscard]] std::string name() const override { return name_; }
   void teach(const std::vector<TaughtObject>& objects) override {
-    std::vector<ObjectModel> models;
-    for (const TaughtObject& object : objects) {
-      ObjectModel model{object.name, {}};
-      for (const TaughtPicture& picture : object.pictures) {
-        for (ObjectView& view :
-             make_turned_views(picture.grey, picture.region, turns_, keypoints_)) {
-          model.views.push_back(std::move(view));
-        }
+    recogniser_ = Recogniser(settings_);
+    count_ = objects.size();
+    for (std::size_t k = 0; k < count_; ++k) {
+      for (const TaughtPicture& picture : objects[k].pictures) {
+        recogniser_.add(static_cast<int>(k), make_view(picture.grey, picture.region, keypoints_));
       }
-      models.push_back(std::move(model));
     }
-    count_ = models.size();
-    recogniser_.emplace(models, settings_);
   }
   [[nodiscard]] ObjectScores look(const cv::Mat1b& scene) override {
     ObjectScores scores(count_, 0.0);
-    for (const Recognition& found : recogniser_->recognise(keypoints_(scene))) {
-      scores[static_cast<std::size_t>(found.object)] =
+    for (const Recognition& found : recogniser_.recognise(keypoints_(scene))) {
+      scores[static_cast<std::size_t>(found.landmark)] =
           settings_.setting == RecognitionSetting::paper ? 100.0 * found.matched_fraction
                                                          : found.inliers;
     }
@@ -58,10 +52,9 @@ class Ours final : public ObjectMethod {
  private:
   std::string name_;
   RecognitionSettings settings_;
-  int turns_;
   KeypointSource keypoints_;
   std::size_t count_ = 0;
-  std::optional<Recogniser> recogniser_;
+  Recogniser recogniser_;
 };
 
 /// One of OpenCV's detectors and descriptors, through our choice of pairs and our consensus.
@@ -117,7 +110,7 @@ class OpenCvMethod final : public ObjectMethod {
     return view;
   }
 
-  /// The rule of Recogniser::add_candidate, without a limit of distance.
+  /// The rule of Recogniser::add_pair, without a limit of distance.
   [[nodiscard]] std::vector<PlacePair> pairs(const View& seen, const View& view) const {
     std::vector<PlacePair> result;
     if (seen.places.empty() || view.places.size() < 2) return result;
@@ -152,14 +145,13 @@ class OpenCvMethod final : public ObjectMethod {
 
 std::vector<std::unique_ptr<ObjectMethod>> object_methods() {
   std::vector<std::unique_ptr<ObjectMethod>> methods;
-  constexpr int kTurns = 18;  // the descriptor does not turn with the picture
-  auto pyramid = std::make_shared<PyramidKeypoints>(PyramidSettings{});
+  auto oriented = std::make_shared<OrientedKeypoints>(OrientedSettings{});
   methods.push_back(
-      std::make_unique<Ours>("Striate", RecognitionSetting::robust, kTurns,
-                             [pyramid](const cv::Mat1b& grey) { return (*pyramid)(grey); }));
+      std::make_unique<Ours>("Striate", RecognitionSetting::robust,
+                             [oriented](const cv::Mat1b& grey) { return (*oriented)(grey); }));
   auto finder = std::make_shared<KeypointFinder>(KeypointSettings{});
   methods.push_back(
-      std::make_unique<Ours>("paper's rule", RecognitionSetting::paper, 1,
+      std::make_unique<Ours>("paper's rule", RecognitionSetting::paper,
                              [finder](const cv::Mat1b& grey) { return finder->find(grey); }));
   methods.push_back(std::make_unique<OpenCvMethod>("ORB", cv::ORB::create(2000)));
   methods.push_back(std::make_unique<OpenCvMethod>("BRISK", cv::BRISK::create()));

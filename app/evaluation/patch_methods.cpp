@@ -76,13 +76,28 @@ cv::Mat describe_sift(const cv::Mat1b& mosaic, int patches, double size_px) {
   return rows_of(cv::SIFT::create(), scene.picture, scene.frames);
 }
 
+/// Between the nearest two descriptions.
+double distance_of_rows(const cv::Mat& a, const cv::Mat& b, int descriptions) {
+  const int norm = a.depth() == CV_8U ? cv::NORM_HAMMING : cv::NORM_L2;
+  const int values = a.cols / descriptions;
+  double nearest = cv::norm(a.colRange(0, values), b.colRange(0, values), norm);
+  for (int i = 0; i < descriptions; ++i) {
+    for (int k = 0; k < descriptions; ++k) {
+      const auto of_a = a.colRange(i * values, (i + 1) * values);
+      const auto of_b = b.colRange(k * values, (k + 1) * values);
+      nearest = std::min(nearest, cv::norm(of_a, of_b, norm));
+    }
+  }
+  return nearest;
+}
+
 }  // namespace
 
 std::vector<PatchMethod> opencv_patch_methods() {
-  return {{"ORB", {40, 50, 62}, describe_orb},
-          {"BRISK", {8, 13, 16}, describe_brisk},
-          {"AKAZE", {4.8, 5.7}, describe_akaze},
-          {"SIFT", {6.4, 8, 10}, describe_sift}};
+  return {{"ORB", {40, 50, 62}, describe_orb, 1},
+          {"BRISK", {8, 13, 16}, describe_brisk, 1},
+          {"AKAZE", {4.8, 5.7}, describe_akaze, 1},
+          {"SIFT", {6.4, 8, 10}, describe_sift, 1}};
 }
 
 std::vector<float> pair_distances(const PatchSet& set, const PatchMethod& method, double size_px) {
@@ -97,8 +112,7 @@ std::vector<float> pair_distances(const PatchSet& set, const PatchMethod& method
   std::vector<float> distances;
   for (const PatchPair& pair : set.pairs) {
     const cv::Mat a = row(pair.first), b = row(pair.second);
-    const int norm = a.depth() == CV_8U ? cv::NORM_HAMMING : cv::NORM_L2;
-    distances.push_back(static_cast<float>(cv::norm(a, b, norm)));
+    distances.push_back(static_cast<float>(distance_of_rows(a, b, method.descriptions)));
   }
   return distances;
 }

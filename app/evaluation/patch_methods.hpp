@@ -14,8 +14,9 @@ struct PatchMethod {
   std::string name;
   std::vector<double> sizes_px;  ///< diameters tried; the best is reported
   /// One mosaic and the number of patches on it -> one row a patch: CV_8U for bits (Hamming
-  /// distance), CV_32F for Euclidean distance.
+  /// distance), CV_32F for Euclidean distance. A row may hold several descriptions of the patch.
   std::function<cv::Mat(const cv::Mat1b& mosaic, int patches, double size_px)> describe;
+  int descriptions = 1;  ///< in a row; the distance of two patches is that of the nearest two
 };
 
 /// ORB, BRISK, AKAZE and SIFT of OpenCV with the frames' orientation as given.

@@ -1,6 +1,7 @@
 #include "app/evaluation/striate_patch_methods.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <memory>
 #include <opencv2/imgproc.hpp>
 
@@ -18,24 +19,52 @@ void write_row(const Descriptor& descriptor, std::uint8_t* row) {
   }
 }
 
-PatchMethod ours(const char* name, StriateOrientation orientation) {
-  StriateSettings settings;
-  settings.orientation = orientation;
-  auto describer = std::make_shared<StriateDescriber>(settings);
-  return {name, {7.2, 8.0, 9.0}, [describer](const cv::Mat1b& mosaic, int patches, double size_px) {
-            cv::Mat1b rows(patches, kBytes);
+/// What describes one frame, into a row of one or more descriptors.
+using DescribeFrame = std::function<void(const DescribedFrame&, std::uint8_t* row)>;
+
+/// Every patch by itself, so that nothing beyond it is seen.
+cv::Mat describe_patches(const cv::Mat1b& mosaic, int patches, double size_px, int descriptions,
+                         StriateDescriber& describer, const DescribeFrame& describe) {
+  cv::Mat1b rows(patches, descriptions * kBytes);
+  for (int k = 0; k < patches; ++k) {
+    const cv::Point2f at = patch_centre_px(k);
+    const cv::Point corner(static_cast<int>(at.x) - kPatchSide_px / 2 + 1,
+                           static_cast<int>(at.y) - kPatchSide_px / 2 + 1);
+    describer.prepare(mosaic(cv::Rect(corner, cv::Size(kPatchSide_px, kPatchSide_px))));
+    describe({at.x - corner.x, at.y - corner.y, size_px, 0.0}, rows.ptr(k));
+  }
+  return rows;
+}
+
+const std::vector<double> kSizes_px = {7.2, 8.0, 9.0};
+
+PatchMethod with_given_angle() {
+  auto describer = std::make_shared<StriateDescriber>(StriateSettings{});
+  return {"Striate", kSizes_px, [describer](const cv::Mat1b& mosaic, int patches, double size_px) {
             std::vector<Descriptor> one;
-            for (int k = 0; k < patches; ++k) {
-              const cv::Point2f at = patch_centre_px(k);
-              const cv::Point corner(static_cast<int>(at.x) - kPatchSide_px / 2 + 1,
-                                     static_cast<int>(at.y) - kPatchSide_px / 2 + 1);
-              describer->prepare(mosaic(cv::Rect(corner, cv::Size(kPatchSide_px, kPatchSide_px))));
-              const DescribedFrame frame{at.x - corner.x, at.y - corner.y, size_px, 0.0};
-              describer->describe({&frame, 1}, one);
-              write_row(one.front(), rows.ptr(k));
-            }
-            return cv::Mat(rows);
+            return describe_patches(mosaic, patches, size_px, 1, *describer,
+                                    [&](const DescribedFrame& frame, std::uint8_t* row) {
+                                      describer->describe({&frame, 1}, one);
+                                      write_row(one.front(), row);
+                                    });
           }};
+}
+
+/// One that has a single angle says the same twice.
+PatchMethod with_its_own_angles() {
+  auto describer = std::make_shared<StriateDescriber>(StriateSettings{});
+  return {"Striate, own angles", kSizes_px,
+          [describer](const cv::Mat1b& mosaic, int patches, double size_px) {
+            std::vector<DescribedFrame> turned;
+            std::vector<Descriptor> one;
+            return describe_patches(mosaic, patches, size_px, 2, *describer,
+                                    [&](const DescribedFrame& frame, std::uint8_t* row) {
+                                      describer->describe_oriented({&frame, 1}, true, turned, one);
+                                      write_row(one.front(), row);
+                                      write_row(one.back(), row + kBytes);
+                                    });
+          },
+          2};
 }
 
 /// At lambda = size, on the mosaic at half its size.
@@ -60,9 +89,9 @@ cv::Mat describe_as_the_paper(const cv::Mat1b& mosaic, int patches, double wavel
 }  // namespace
 
 std::vector<PatchMethod> striate_patch_methods() {
-  return {ours("Striate", StriateOrientation::given),
-          ours("Striate, own angle", StriateOrientation::dominant),
-          {"the paper's", {8.0, 16.0, 20.0}, describe_as_the_paper}};
+  return {with_given_angle(),
+          with_its_own_angles(),
+          {"the paper's", {8.0, 16.0, 20.0}, describe_as_the_paper, 1}};
 }
 
 }  // namespace striate

@@ -1,220 +1,235 @@
 #include "perception/descriptor/striate_descriptor.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <limits>
 #include <numbers>
-#include <opencv2/imgproc.hpp>
 #include <stdexcept>
 
 namespace striate {
 namespace {
 
-constexpr double kPixelsPerSize = 2.0;
-constexpr int kPooledSide_px = 14;
-/// With room for the cells' radius of 5 px: a patch never feels its neighbour.
-constexpr int kSide_px = 24;
-constexpr int kMargin_px = (kSide_px - kPooledSide_px) / 2;
-constexpr int kPerRow = 16;
-constexpr int kWeightSum = 1024;
-constexpr int kSmallestLevel_px = 8;
+using pooling_kernels::kWindowSide_px;
 
-struct Circle {
+constexpr double kPixelsPerSize = 2.0;
+constexpr int kBefore_px = 11;                          ///< window pixels before the place
+constexpr int kReach_px = kWindowSide_px - kBefore_px;  ///< more than behind it
+constexpr int kParts = 16;                              ///< of a pixel
+constexpr double kTapSum = 32768.0;
+
+struct CircleShape {
   int points;
   double radius_px, sigma_px, turn;
 };
-constexpr Circle kCircles[] = {
-    {1, 0.0, 0.84, 0.0}, {6, 2.08, 0.91, 0.0}, {8, 4.05, 1.19, 0.5}, {10, 5.95, 1.54, 0.0}};
+constexpr CircleShape kCircles[] = {
+    {1, 0.0, 0.84, 0.0}, {6, 2.08, 0.91, 0.0}, {8, 4.05, 1.19, 0.5}, {10, 5.35, 1.25, 0.0}};
 
 V1Settings v1_settings() {
   return {3.0, 0.3, 1.0, EvenMean::envelope};
 }
 
-double gaussian(double u, double v, double sigma) {
-  const double value = std::exp(-(u * u + v * v) / (2.0 * sigma * sigma));
-  return value < 0.03 ? 0.0 : value;
+int parts_of(double at_px) {
+  return static_cast<int>(at_px * kParts + 0.5);
 }
 
-/// Bilinear; beyond the border the nearest pixel.
-std::uint8_t sample(const cv::Mat1b& picture, double u, double v) {
-  u = std::clamp(u, 0.0, picture.cols - 1.0);
-  v = std::clamp(v, 0.0, picture.rows - 1.0);
-  const int x = static_cast<int>(u), y = static_cast<int>(v);
-  const int right = std::min(x + 1, picture.cols - 1), below = std::min(y + 1, picture.rows - 1);
-  const double a = u - x, b = v - y;
-  const double top = picture(y, x) * (1.0 - a) + picture(y, right) * a;
-  const double bottom = picture(below, x) * (1.0 - a) + picture(below, right) * a;
-  return static_cast<std::uint8_t>(top * (1.0 - b) + bottom * b + 0.5);
-}
-
-cv::Point corner(int patch) {
-  return {patch % kPerRow * kSide_px, patch / kPerRow * kSide_px};
+/// Gaussian taps around a place so many parts of a pixel behind the middle left one.
+std::vector<std::int16_t> gaussian_taps(int taps, double sigma_px, int part) {
+  const int middle = taps / 2 - 1;
+  const double behind = static_cast<double>(part) / kParts;
+  std::vector<double> row(static_cast<std::size_t>(taps));
+  double sum = 0.0;
+  for (int k = 0; k < taps; ++k) {
+    const double d = k - middle - behind;
+    const double value = std::exp(-d * d / (2.0 * sigma_px * sigma_px));
+    row[static_cast<std::size_t>(k)] = value < 0.03 ? 0.0 : value;
+    sum += row[static_cast<std::size_t>(k)];
+  }
+  std::vector<std::int16_t> result(row.size());
+  std::ranges::transform(row, result.begin(), [sum](double value) {
+    return static_cast<std::int16_t>(std::lround(kTapSum * value / sum));
+  });
+  return result;
 }
 
 Descriptor bits_of(const PooledResponses& pooled, const StriateTable& table) {
   std::int64_t sum = 0;
   for (const std::int32_t value : pooled) sum += value;
-  const std::int64_t mean = sum / kPooledValues;
   Descriptor descriptor;
   for (std::size_t b = 0; b < table.size(); ++b) {
     const std::int64_t difference = std::int64_t{pooled[static_cast<std::size_t>(table[b].first)]} -
                                     pooled[static_cast<std::size_t>(table[b].second)];
-    const bool larger = difference * 1000 > mean * table[b].threshold;
+    const bool larger = difference * 1000 * kPooledValues > sum * table[b].threshold;
     descriptor.words[b / 64] |= std::uint64_t{larger} << (b % 64);
   }
   return descriptor;
 }
 
+void check(const DescribedFrame& frame) {
+  if (!(frame.size_px > 0.0) ||
+      !std::isfinite(frame.u_px + frame.v_px + frame.size_px + frame.angle_rad)) {
+    throw std::invalid_argument("StriateDescriber: a frame has no size or no finite place");
+  }
+}
+
+/// Angle as steps of pi / 8 and 1/32768 of the next; responses as large as 14 bits can hold.
+pooling_kernels::Turn turn_of(double angle_rad, std::int16_t largest) {
+  const double steps = angle_rad * kOrientations / std::numbers::pi;
+  const double within = steps - kPooledChannels * std::floor(steps / kPooledChannels);
+  pooling_kernels::Turn turn;
+  turn.steps = static_cast<int>(within) % kPooledChannels;
+  turn.fraction = static_cast<std::int16_t>(
+      std::min(32767L, std::lround(32768.0 * (within - std::floor(within)))));
+  // Contrast does not count: weak responses are enlarged so that rounding does not tell.
+  const auto used = static_cast<int>(std::bit_width(static_cast<unsigned>(largest)));
+  turn.factor = static_cast<std::int16_t>(1 << std::clamp(14 - used, 0, 13));
+  return turn;
+}
+
+DominantAngles angles_at(const DescribedPlace& place) {
+  pooling_kernels::OddWindow at = place.window;
+  const int u = static_cast<int>(place.u), v = static_cast<int>(place.v);
+  for (const std::int16_t*& plane : at.odd) plane += v * at.stride + u;
+  return dominant_angles(at, place.u - u, place.v - v);
+}
+
+/// The box around the frames of one level.
+struct Box {
+  double left = std::numeric_limits<double>::infinity(), top = left;
+  double right = -left, bottom = -left;
+
+  void add(const DescribedFrame& frame) {
+    left = std::min(left, frame.u_px), right = std::max(right, frame.u_px);
+    top = std::min(top, frame.v_px), bottom = std::max(bottom, frame.v_px);
+  }
+  [[nodiscard]] cv::Rect2d rect() const { return {left, top, right - left, bottom - top}; }
+};
+
 }  // namespace
 
 StriateDescriber::StriateDescriber(const StriateSettings& settings)
-    : settings_(settings), cells_(v1_settings()) {
-  rectified_.resize(static_cast<std::size_t>(kPooledSide_px * kPooledSide_px * kPooledChannels));
-  std::size_t at = 0;
-  for (const Circle& circle : kCircles) {
-    for (int k = 0; k < circle.points; ++k, ++at) {
-      const double angle = 2.0 * std::numbers::pi * (k + circle.turn) / circle.points;
-      auto weight = [&](int pixel) {
-        constexpr double kMiddle = 0.5 * (kPooledSide_px - 1);
-        return gaussian(pixel % kPooledSide_px - kMiddle - circle.radius_px * std::cos(angle),
-                        pixel / kPooledSide_px - kMiddle - circle.radius_px * std::sin(angle),
-                        circle.sigma_px);
-      };
-      double sum = 0.0;
-      for (int p = 0; p < kPooledSide_px * kPooledSide_px; ++p) sum += weight(p);
-      for (int p = 0; p < kPooledSide_px * kPooledSide_px; ++p) {
-        const auto share = static_cast<std::int32_t>(std::lround(kWeightSum * weight(p) / sum));
-        if (share > 0) weights_[at].push_back({p, share});
-      }
+    : settings_(settings), scales_(v1_settings(), kReach_px) {
+  turned_window_.resize(pooling_kernels::kWindowValues);
+  for (const CircleShape& shape : kCircles) {
+    Circle circle;
+    circle.taps = 2 * static_cast<int>(2.65 * shape.sigma_px) + 2;
+    for (int k = 0; k < shape.points; ++k) {
+      const double angle = 2.0 * std::numbers::pi * (k + shape.turn) / shape.points;
+      circle.points.emplace_back(shape.radius_px * std::cos(angle),
+                                 shape.radius_px * std::sin(angle));
     }
+    for (int part = 0; part < kParts; ++part) {
+      circle.rows.push_back(gaussian_taps(circle.taps, shape.sigma_px, part));
+    }
+    circles_.push_back(std::move(circle));
   }
 }
 
 void StriateDescriber::prepare(const cv::Mat1b& grey) {
-  if (grey.empty()) throw std::invalid_argument("StriateDescriber: the picture is empty");
-  if (halvings_.empty()) halvings_.resize(1);
-  grey.copyTo(halvings_[0]);
-  levels_ = 1;
-  while (true) {
-    const auto last = static_cast<std::size_t>(levels_ - 1);
-    // An odd last row or column is left out: pixels must stay where they are.
-    const cv::Size half(halvings_[last].cols / 2, halvings_[last].rows / 2);
-    if (std::min(half.width, half.height) < kSmallestLevel_px) return;
-    if (halvings_.size() == last + 1) halvings_.emplace_back();
-    cv::resize(halvings_[last](cv::Rect({0, 0}, half * 2)), halvings_[last + 1], half, 0, 0,
-               cv::INTER_AREA);
-    ++levels_;
+  scales_.prepare(grey);
+}
+
+/// @param see called with each frame's index and place, level by level.
+template <class See>
+void StriateDescriber::visit(std::span<const DescribedFrame> frames, See see) {
+  levels_.clear();
+  for (const DescribedFrame& frame : frames) {
+    check(frame);
+    levels_.push_back(scales_.level_of(frame.size_px / kPixelsPerSize));
+  }
+  if (frames.empty()) return;
+  const auto [lowest, highest] = std::ranges::minmax(levels_);
+  for (int level = lowest; level <= highest; ++level) {
+    Box box;
+    for (std::size_t k = 0; k < frames.size(); ++k) {
+      if (levels_[k] == level) box.add(frames[k]);
+    }
+    if (box.left > box.right) continue;
+    const V1Field field = scales_.respond(level, box.rect());
+    for (std::size_t k = 0; k < frames.size(); ++k) {
+      if (levels_[k] != level) continue;
+      const double u = field.u_of(frames[k].u_px);
+      const double v = field.v_of(frames[k].v_px);
+      const int left = static_cast<int>(u) - kBefore_px, top = static_cast<int>(v) - kBefore_px;
+      DescribedPlace place{{}, u - left, v - top};
+      place.window.stride = field.responses->odd[0].stride();
+      for (std::size_t i = 0; i < kOrientations; ++i) {
+        place.window.odd[i] = field.responses->odd[i].row(top) + left;
+      }
+      see(k, place);
+    }
   }
 }
 
-/// All frames' surroundings as one picture, so that the V1 cells run once.
-void StriateDescriber::resample(std::span<const DescribedFrame> frames) {
-  if (levels_ == 0) throw std::invalid_argument("StriateDescriber: no picture was prepared");
-  const int rows = (static_cast<int>(frames.size()) + kPerRow - 1) / kPerRow;
-  patches_.create(rows * kSide_px, kPerRow * kSide_px);
-  patches_ = std::uint8_t{128};
-  for (std::size_t k = 0; k < frames.size(); ++k) {
-    const DescribedFrame& frame = frames[k];
-    if (!(frame.size_px > 0.0) ||
-        !std::isfinite(frame.u_px + frame.v_px + frame.size_px + frame.angle_rad)) {
-      throw std::invalid_argument("StriateDescriber: a frame has no size or no finite place");
-    }
-    const double step_px = frame.size_px / kPixelsPerSize;
-    const long wanted = std::lround(std::log2(step_px));
-    const int level = static_cast<int>(std::clamp(wanted, 0L, static_cast<long>(levels_) - 1));
-    const double scale = std::ldexp(1.0, level);
-    const double du = std::cos(frame.angle_rad) * step_px / scale;
-    const double dv = std::sin(frame.angle_rad) * step_px / scale;
-    const double u0 = (frame.u_px + 0.5) / scale - 0.5, v0 = (frame.v_px + 0.5) / scale - 0.5;
-    const cv::Mat1b& picture = halvings_[static_cast<std::size_t>(level)];
-    const cv::Point at = corner(static_cast<int>(k));
-    for (int y = 0; y < kSide_px; ++y) {
-      const double below = y - 0.5 * (kSide_px - 1);
-      for (int x = 0; x < kSide_px; ++x) {
-        const double along = x - 0.5 * (kSide_px - 1);
-        patches_(at.y + y, at.x + x) =
-            sample(picture, u0 + along * du - below * dv, v0 + along * dv + below * du);
-      }
+void StriateDescriber::pool_place(const DescribedPlace& place, double angle_rad,
+                                  PooledResponses& out) {
+  pooling_kernels::turn_window(place.window,
+                               turn_of(angle_rad, pooling_kernels::largest_response(place.window)),
+                               turned_window_.data());
+  std::array<pooling_kernels::Pool, kPooledPoints> pools;
+  const double along = std::cos(angle_rad), across = std::sin(angle_rad);
+  std::size_t at = 0;
+  for (const Circle& circle : circles_) {
+    const int before = circle.taps / 2 - 1;
+    for (const cv::Point2d& point : circle.points) {
+      // In whole parts of a pixel; the window begins at 0.
+      const int u = parts_of(place.u + along * point.x - across * point.y);
+      const int v = parts_of(place.v + across * point.x + along * point.y);
+      pools[at++] = {(v / kParts - before) * kWindowSide_px + u / kParts - before, circle.taps,
+                     circle.rows[static_cast<std::size_t>(u % kParts)].data(),
+                     circle.rows[static_cast<std::size_t>(v % kParts)].data()};
     }
   }
-  cells_.respond(patches_, 0, true, responses_);
-}
-
-/// The sum of the odd responses as vectors across their orientation: where it grows brighter.
-double StriateDescriber::dominant_angle_rad(int patch) const {
-  const cv::Point at = corner(patch) + cv::Point(kMargin_px, kMargin_px);
-  double u = 0.0, v = 0.0;
-  for (std::size_t i = 0; i < kOrientations; ++i) {
-    const double theta = static_cast<double>(i) * std::numbers::pi / kOrientations;
-    double sum = 0.0;
-    for (int y = 0; y < kPooledSide_px; ++y) {
-      const std::int16_t* odd = responses_.odd[i].row(at.y + y) + at.x;
-      for (int x = 0; x < kPooledSide_px; ++x) {
-        constexpr double kMiddle = 0.5 * (kPooledSide_px - 1);
-        sum += odd[x] * gaussian(x - kMiddle, y - kMiddle, 2.5);
-      }
-    }
-    u += sum * std::cos(theta);
-    v += sum * std::sin(theta);
-  }
-  return std::atan2(v, u);
-}
-
-void StriateDescriber::pool_patch(int patch, PooledResponses& out) {
-  const cv::Point at = corner(patch) + cv::Point(kMargin_px, kMargin_px);
-  for (std::size_t i = 0; i < kOrientations; ++i) {
-    for (int y = 0; y < kPooledSide_px; ++y) {
-      const std::int16_t* odd = responses_.odd[i].row(at.y + y) + at.x;
-      std::int32_t* to = rectified_.data() + y * kPooledSide_px * kPooledChannels + i;
-      for (int x = 0; x < kPooledSide_px; ++x, to += kPooledChannels) {
-        to[0] = std::max<std::int32_t>(odd[x], 0);
-        to[kOrientations] = std::max<std::int32_t>(-odd[x], 0);
-      }
-    }
-  }
-  for (std::size_t p = 0; p < weights_.size(); ++p) {
-    std::array<std::int32_t, kPooledChannels> sum{};
-    for (const Weight& w : weights_[p]) {
-      const std::int32_t* from = rectified_.data() + w.pixel * kPooledChannels;
-      for (std::size_t c = 0; c < sum.size(); ++c) sum[c] += w.weight * from[c];
-    }
-    std::ranges::copy(sum, out.begin() + static_cast<std::ptrdiff_t>(p) * kPooledChannels);
-  }
+  std::array<std::int16_t, kPooledValues> sums{};
+  pooling_kernels::pool(turned_window_.data(), pools, sums.data());
+  std::ranges::copy(sums, out.begin());
 }
 
 void StriateDescriber::pool(std::span<const DescribedFrame> frames,
                             std::vector<PooledResponses>& out) {
   out.resize(frames.size());
-  if (frames.empty()) return;
-  if (settings_.orientation == StriateOrientation::given) {
-    resample(frames);
-  } else {
-    turned_.assign(frames.begin(), frames.end());
-    for (DescribedFrame& frame : turned_) frame.angle_rad = 0.0;
-    resample(turned_);
-    if (settings_.orientation == StriateOrientation::dominant) {
-      for (std::size_t k = 0; k < turned_.size(); ++k) {
-        turned_[k].angle_rad = dominant_angle_rad(static_cast<int>(k));
-      }
-      resample(turned_);
+  visit(frames, [&](std::size_t k, const DescribedPlace& place) {
+    pool_place(place, frames[k].angle_rad, out[k]);
+  });
+}
+
+void StriateDescriber::describe_oriented(std::span<const DescribedFrame> frames, bool second,
+                                         std::vector<DescribedFrame>& turned,
+                                         std::vector<Descriptor>& out) {
+  angles_.resize(frames.size());
+  pairs_.resize(frames.size());
+  visit(frames, [&](std::size_t k, const DescribedPlace& place) {
+    DominantAngles& angles = angles_[k];
+    angles = angles_at(place);
+    if (!second) angles.count = 1;
+    for (std::size_t a = 0; a < angles.count; ++a) {
+      pool_place(place, angles.angle_rad[a], one_);
+      pairs_[k][a] = bits_of(one_, settings_.table);
+    }
+  });
+  turned.clear();
+  out.clear();
+  for (std::size_t k = 0; k < frames.size(); ++k) {
+    for (std::size_t a = 0; a < angles_[k].count; ++a) {
+      turned.push_back(frames[k]);
+      turned.back().angle_rad = angles_[k].angle_rad[a];
+      out.push_back(pairs_[k][a]);
     }
   }
-  for (std::size_t k = 0; k < frames.size(); ++k) pool_patch(static_cast<int>(k), out[k]);
 }
 
 void StriateDescriber::describe(std::span<const DescribedFrame> frames,
                                 std::vector<Descriptor>& out) {
-  pool(frames, pooled_);
-  out.resize(frames.size());
-  for (std::size_t k = 0; k < frames.size(); ++k) out[k] = bits_of(pooled_[k], settings_.table);
-}
-
-void StriateDescriber::describe(std::vector<Keypoint>& keypoints) {
-  frames_.clear();
-  for (const Keypoint& point : keypoints) {
-    frames_.push_back({point.u_px, point.v_px, point.wavelength_px, 0.0});
+  if (settings_.orientation == StriateOrientation::dominant) {
+    describe_oriented(frames, false, turned_, out);
+    return;
   }
-  describe(frames_, descriptors_);
-  for (std::size_t k = 0; k < keypoints.size(); ++k) keypoints[k].descriptor = descriptors_[k];
+  const bool upright = settings_.orientation == StriateOrientation::upright;
+  out.resize(frames.size());
+  visit(frames, [&](std::size_t k, const DescribedPlace& place) {
+    pool_place(place, upright ? 0.0 : frames[k].angle_rad, one_);
+    out[k] = bits_of(one_, settings_.table);
+  });
 }
 
 }  // namespace striate

@@ -6,9 +6,11 @@
 #include <span>
 #include <vector>
 
+#include "perception/descriptor/dominant_angle.hpp"
+#include "perception/descriptor/pooling_kernels.hpp"
 #include "perception/descriptor/striate_table.hpp"
+#include "perception/descriptor/v1_scales.hpp"
 #include "perception/percept.hpp"
-#include "perception/v1/v1_cells.hpp"
 
 namespace striate {
 
@@ -33,12 +35,20 @@ struct DescribedFrame {
 /// Responses of the odd simple cells, half-wave rectified and pooled at 25 points.
 using PooledResponses = std::array<std::int32_t, kPooledValues>;
 
-/// Striate's own 256-bit descriptor. Ours; only V1 responses enter. The surroundings of a frame
-/// are resampled (turned and scaled, 2 px a diameter), odd simple cells of lambda = 3 px (1.5
-/// diameters) respond, and Gaussians that grow with the distance pool them at 25 points on 4
-/// circles. A bit compares two pooled responses; which ones and by how much was learned on made
-/// pictures (`striate learn-descriptor`). Integer arithmetic after resampling. Match by Hamming
-/// distance. Keeps its buffers.
+/// A frame's surroundings in V1.
+struct DescribedPlace {
+  pooling_kernels::OddWindow window;
+  double u = 0.0, v = 0.0;  ///< pixels from the window's first
+};
+
+/// Striate's own 256-bit descriptor. Ours; only V1 responses enter. The picture is taken at the
+/// size at which a frame's diameter is about 2 px (sizes are a quarter of an octave apart), where
+/// odd simple cells of lambda = 3 px (1.5 diameters) respond once for all frames of that size. What
+/// they would say of the turned picture lies between the responses of neighbouring orientations;
+/// Gaussians that grow with the distance pool it at 25 points on 4 circles. A bit compares two
+/// pooled responses; which ones and by how much was learned on made pictures
+/// (`striate learn-descriptor`). Integer arithmetic: the same bits on every instruction set. Match
+/// by Hamming distance. Keeps its buffers.
 class StriateDescriber {
  public:
   explicit StriateDescriber(const StriateSettings& settings);
@@ -46,36 +56,38 @@ class StriateDescriber {
   /// @param grey any size; empty throws std::invalid_argument.
   void prepare(const cv::Mat1b& grey);
 
-  /// Of frames of the picture prepared; beyond the border the nearest pixel stands.
+  /// Of frames of the picture prepared; a place outside counts as the nearest one inside.
   /// @throws std::invalid_argument for a size that is not above 0 or a number that is not finite.
   void describe(std::span<const DescribedFrame> frames, std::vector<Descriptor>& out);
 
-  /// Fills the keypoints' descriptors: size lambda, upright or dominant orientation.
-  void describe(std::vector<Keypoint>& keypoints);
+  /// Each frame with the direction in which it grows brighter (dominant_angle.hpp) instead of its
+  /// angle. One with two such directions stands twice where `second` says so.
+  /// @param turned the frames as they were described, in the given order.
+  void describe_oriented(std::span<const DescribedFrame> frames, bool second,
+                         std::vector<DescribedFrame>& turned, std::vector<Descriptor>& out);
 
   /// What the bits are made of; for learning.
   void pool(std::span<const DescribedFrame> frames, std::vector<PooledResponses>& out);
 
  private:
-  struct Weight {
-    int pixel = 0;
-    std::int32_t weight = 0;
+  struct Circle {
+    std::vector<cv::Point2d> points;              ///< px from the middle, of an upright frame
+    int taps = 0;                                 ///< along each side of its Gaussian
+    std::vector<std::vector<std::int16_t>> rows;  ///< of taps, by sixteenths of a pixel
   };
-  void resample(std::span<const DescribedFrame> frames);
-  [[nodiscard]] double dominant_angle_rad(int patch) const;
-  void pool_patch(int patch, PooledResponses& out);
+  template <class See>
+  void visit(std::span<const DescribedFrame> frames, See see);
+  void pool_place(const DescribedPlace& place, double angle_rad, PooledResponses& out);
 
   StriateSettings settings_;
-  V1Cells cells_;
-  V1Responses responses_;
-  std::array<std::vector<Weight>, kPooledPoints> weights_;
-  std::vector<cv::Mat1b> halvings_;
-  int levels_ = 0;
-  cv::Mat1b patches_;
-  std::vector<std::int32_t> rectified_;  ///< pixel by pixel, channels innermost
-  std::vector<DescribedFrame> frames_, turned_;
-  std::vector<PooledResponses> pooled_;
-  std::vector<Descriptor> descriptors_;
+  V1Scales scales_;
+  std::vector<Circle> circles_;
+  std::vector<std::int16_t> turned_window_;
+  std::vector<int> levels_;  ///< of the frames
+  std::vector<DescribedFrame> turned_;
+  std::vector<DominantAngles> angles_;
+  std::vector<std::array<Descriptor, 2>> pairs_;
+  PooledResponses one_{};
 };
 
 }  // namespace striate

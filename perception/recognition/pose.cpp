@@ -49,6 +49,10 @@ double Pose::scale() const {
   return std::sqrt(std::max(0.0, determinant()));
 }
 
+double Pose::angle_rad() const {
+  return std::atan2(d - b, a + e);
+}
+
 double Pose::stretch() const {
   if (!(determinant() > 0.0)) return std::numeric_limits<double>::infinity();
   const double sum = std::hypot(a + e, d - b), difference = std::hypot(a - e, d + b);

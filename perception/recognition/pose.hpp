@@ -11,11 +11,11 @@ struct Place {
   double u_px = 0.0;
   double v_px = 0.0;
   double size_px = 1.0;
-  double angle_rad = 0.0;  ///< 0 for keypoints that have no orientation of their own
+  double angle_rad = 0.0;  ///< from +u towards +v
 };
 
 [[nodiscard]] inline Place place_of(const Keypoint& point) {
-  return {point.u_px, point.v_px, point.wavelength_px, 0.0};
+  return {point.u_px, point.v_px, point.wavelength_px, point.angle_rad};
 }
 
 /// A keypoint of a view and one of the picture that may show the same.
@@ -35,6 +35,8 @@ struct Pose {
   [[nodiscard]] double determinant() const { return a * e - b * d; }
   /// Picture pixels a pixel of the view; 0 for a mirrored pose.
   [[nodiscard]] double scale() const;
+  /// How far it turns, from +u towards +v.
+  [[nodiscard]] double angle_rad() const;
   /// Larger over smaller singular value: 1 for a similarity; infinite for a mirrored pose.
   [[nodiscard]] double stretch() const;
 };

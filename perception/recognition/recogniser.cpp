@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <stdexcept>
 
 #include "config/user_error.hpp"
 
@@ -32,90 +32,150 @@ void check(const RecognitionSettings& s) {
   if (s.least_inliers < 3) throw UserError("recognition: 'least_inliers' must be at least 3");
 }
 
+Place place_of(const ViewKeypoint& point) {
+  return {point.x_px, point.y_px, point.size_px, point.angle_rad};
+}
+
+/// Where the view's frame and centre are in the picture.
+void write_pose(const Pose& pose, double width_px, double height_px, Recognition& to) {
+  Box box;
+  for (const double u : {-0.5, width_px - 0.5}) {
+    for (const double v : {-0.5, height_px - 0.5}) box.add(pose.u_of(u, v), pose.v_of(u, v));
+  }
+  // The map is affine: the middle of the box is where the view's middle is.
+  box.write(to);
+  to.scale = pose.scale();
+  to.angle_rad = pose.angle_rad();
+}
+
 }  // namespace
 
-Recogniser::Recogniser(std::span<const ObjectModel> models, const RecognitionSettings& settings)
+Recogniser::Recogniser(const RecognitionSettings& settings)
     : settings_(settings), consensus_(settings) {
   check(settings);
-  for (std::size_t m = 0; m < models.size(); ++m) {
-    for (std::size_t v = 0; v < models[m].views.size(); ++v) {
-      const ObjectView& view = models[m].views[v];
-      views_.push_back({static_cast<int>(m), static_cast<int>(v), store_.size(),
-                        view.keypoints.size(), view.width_px, view.height_px});
-      for (const Keypoint& point : view.keypoints) {
-        store_.append(point.descriptor);
-        places_.push_back(place_of(point));
-        view_of_.push_back(views_.size() - 1);
-      }
-    }
+}
+
+int Recogniser::add(int landmark, const LandmarkView& view) {
+  if (view.descriptors.size() != view.keypoints.size()) {
+    throw std::invalid_argument("a view needs as many keypoints as descriptors");
   }
+  if (!(view.width_px > 0.0 && view.height_px > 0.0)) {
+    throw std::invalid_argument("a view has no size");
+  }
+  auto free = std::ranges::find(views_, false, &View::in_use);
+  if (free == views_.end()) free = views_.insert(views_.end(), View{});
+  *free = {true, landmark, {}, {}, view.width_px, view.height_px};
+  free->store.append(view.descriptors);
+  for (const ViewKeypoint& point : view.keypoints) free->places.push_back(place_of(point));
+  ++in_use_;
+  return static_cast<int>(free - views_.begin());
+}
+
+void Recogniser::remove(int view) {
+  View& removed = views_.at(static_cast<std::size_t>(view));
+  if (!removed.in_use) throw std::out_of_range("Recogniser: no such view");
+  removed = {};
+  --in_use_;
 }
 
 const std::vector<Recognition>& Recogniser::recognise(std::span<const Keypoint> keypoints) {
+  begin(keypoints);
+  for (std::size_t k = 0; k < views_.size(); ++k) look_for(static_cast<int>(k), keypoints);
+  return sorted();
+}
+
+const std::vector<Recognition>& Recogniser::recognise(std::span<const Keypoint> keypoints,
+                                                      std::span<const int> order,
+                                                      const RecognitionBudget& budget) {
+  begin(keypoints);
+  for (const int view : order) {
+    if (looked_at_ >= budget.most_views) break;
+    if (looked_at_ > 0 && budget.goes_on && !budget.goes_on()) break;
+    look_for(view, keypoints);
+  }
+  return sorted();
+}
+
+void Recogniser::begin(std::span<const Keypoint> keypoints) {
   found_.clear();
+  looked_at_ = 0;
   queries_.clear();
   for (const Keypoint& point : keypoints) queries_.push_back(point.descriptor);
-  if (settings_.setting == RecognitionSetting::paper) {
-    recognise_as_in_paper(keypoints);
-  } else {
-    const auto limit = static_cast<std::uint32_t>(settings_.limit_bits);
-    choose_candidates(keypoints, search_.below(queries_, store_, limit));
-    sort_by_view();
-    for (std::size_t k = 0; k < views_.size(); ++k) {
-      const View& view = views_[k];
-      const auto pairs = std::span(pairs_).subspan(starts_[k], starts_[k + 1] - starts_[k]);
-      if (pairs.size() < static_cast<std::size_t>(settings_.least_inliers)) continue;
-      const Consensus consensus = consensus_.find(pairs, view.width_px, view.height_px);
-      if (consensus.inliers < settings_.least_inliers) continue;
-      Recognition recognition{.object = view.object, .view = view.number};
-      recognition.inliers = consensus.inliers;
-      recognition.scale = consensus.pose.scale();
-      recognition.matched_fraction = consensus.inliers / static_cast<double>(view.count);
-      Box box;
-      for (const double u : {-0.5, view.width_px - 0.5}) {
-        for (const double v : {-0.5, view.height_px - 0.5}) {
-          box.add(consensus.pose.u_of(u, v), consensus.pose.v_of(u, v));
-        }
-      }
-      box.write(recognition);
-      keep(recognition);
-    }
-  }
-  // At most one entry an object, so that the order is total.
-  std::ranges::sort(found_, [](const Recognition& a, const Recognition& b) {
-    return a.inliers != b.inliers ? a.inliers > b.inliers : a.object < b.object;
-  });
-  return found_;
+}
+
+void Recogniser::look_for(int number, std::span<const Keypoint> keypoints) {
+  const View& view = views_.at(static_cast<std::size_t>(number));
+  if (!view.in_use) return;
+  ++looked_at_;
+  Recognition found{.landmark = view.landmark, .view = number};
+  const bool there = settings_.setting == RecognitionSetting::paper
+                         ? find_by_papers_rule(view, keypoints, found)
+                         : find_pose(view, keypoints, found);
+  if (there) keep(found);
 }
 
 /// The paper's rule (its section on recognition): at least half of a view's descriptors have a
 /// match with a Hamming distance below 48. Where they lie is not looked at.
-void Recogniser::recognise_as_in_paper(std::span<const Keypoint> keypoints) {
+bool Recogniser::find_by_papers_rule(const View& view, std::span<const Keypoint> keypoints,
+                                     Recognition& found) {
   const auto limit = static_cast<std::uint32_t>(settings_.paper_limit_bits);
-  nearest_.assign(store_.size(), Match{0, 0, limit});
-  for (const Match& match : search_.below(queries_, store_, limit)) {
+  nearest_.assign(view.store.size(), Match{0, 0, limit});
+  for (const Match& match : search_.below(queries_, view.store, limit)) {
     if (match.distance_bits < nearest_[match.stored].distance_bits) nearest_[match.stored] = match;
   }
-  for (const View& view : views_) {
-    int matched = 0;
-    Box box;
-    for (const Match& match : std::span(nearest_).subspan(view.first, view.count)) {
-      if (match.distance_bits >= limit) continue;
-      ++matched;
-      box.add(keypoints[match.query].u_px, keypoints[match.query].v_px);
-    }
-    Recognition recognition{.object = view.object, .view = view.number};
-    recognition.inliers = matched;
-    recognition.matched_fraction = matched / std::max(1.0, static_cast<double>(view.count));
-    if (matched == 0 || recognition.matched_fraction < settings_.paper_share) continue;
-    box.write(recognition);
-    keep(recognition);
+  Box box;
+  for (const Match& match : nearest_) {
+    if (match.distance_bits >= limit) continue;
+    ++found.inliers;
+    box.add(keypoints[match.query].u_px, keypoints[match.query].v_px);
   }
+  found.matched_fraction = found.inliers / std::max(1.0, static_cast<double>(nearest_.size()));
+  found.score = found.matched_fraction;
+  if (found.inliers == 0 || found.matched_fraction < settings_.paper_share) return false;
+  box.write(found);
+  return true;
 }
 
-/// One object is reported once: by the view that most of it agrees with.
+bool Recogniser::find_pose(const View& view, std::span<const Keypoint> keypoints,
+                           Recognition& found) {
+  const auto limit = static_cast<std::uint32_t>(settings_.limit_bits);
+  const std::span<const Match> matches = search_.below(queries_, view.store, limit);
+  pairs_.clear();
+  for (std::size_t from = 0, to = 0; from < matches.size(); from = to) {
+    while (to < matches.size() && matches[to].query == matches[from].query) ++to;
+    add_pair(view, keypoints[matches[from].query], matches.subspan(from, to - from));
+  }
+  if (pairs_.size() < static_cast<std::size_t>(settings_.least_inliers)) return false;
+  const Consensus consensus = consensus_.find(pairs_, view.width_px, view.height_px);
+  if (consensus.inliers < settings_.least_inliers) return false;
+  found.inliers = consensus.inliers;
+  found.matched_fraction = consensus.inliers / static_cast<double>(view.store.size());
+  found.score =
+      consensus.inliers / static_cast<double>(consensus.inliers + settings_.least_inliers);
+  write_pose(consensus.pose, view.width_px, view.height_px, found);
+  return true;
+}
+
+/// The nearest keypoint of a view, if another place of the view is not nearly as near.
+/// @param matches of one keypoint of the picture.
+void Recogniser::add_pair(const View& view, const Keypoint& keypoint,
+                          std::span<const Match> matches) {
+  const Match& first = *std::ranges::min_element(matches, {}, &Match::distance_bits);
+  const Place& place = view.places[first.stored];
+  double second_bits = settings_.limit_bits;
+  for (const Match& match : matches) {
+    const Place& other = view.places[match.stored];
+    // The same place at a neighbouring scale or with its other angle is no rival.
+    if (std::hypot(other.u_px - place.u_px, other.v_px - place.v_px) < place.size_px) continue;
+    second_bits = std::min<double>(second_bits, match.distance_bits);
+  }
+  if (first.distance_bits >= settings_.ratio * second_bits) return;
+  pairs_.push_back({place, place_of(keypoint), static_cast<int>(first.stored)});
+}
+
+/// One landmark is reported once: by the view that most of it agrees with.
 void Recogniser::keep(const Recognition& recognition) {
-  const auto same = std::ranges::find(found_, recognition.object, &Recognition::object);
+  const auto same = std::ranges::find(found_, recognition.landmark, &Recognition::landmark);
   if (same == found_.end()) {
     found_.push_back(recognition);
     return;
@@ -126,46 +186,12 @@ void Recogniser::keep(const Recognition& recognition) {
   if (better) *same = recognition;
 }
 
-/// @param matches by keypoint, then by stored index: those of one view lie together.
-void Recogniser::choose_candidates(std::span<const Keypoint> keypoints,
-                                   std::span<const Match> matches) {
-  candidates_.clear();
-  for (std::size_t from = 0, to = 0; from < matches.size(); from = to) {
-    const std::size_t view = view_of_[matches[from].stored];
-    while (to < matches.size() && matches[to].query == matches[from].query &&
-           view_of_[matches[to].stored] == view) {
-      ++to;
-    }
-    add_candidate(keypoints[matches[from].query], matches.subspan(from, to - from));
-  }
-}
-
-/// The nearest keypoint of a view, if another place of the view is not nearly as near.
-void Recogniser::add_candidate(const Keypoint& keypoint, std::span<const Match> of_view) {
-  const Match& first = *std::ranges::min_element(of_view, {}, &Match::distance_bits);
-  const Place& place = places_[first.stored];
-  double second_bits = settings_.limit_bits;
-  for (const Match& match : of_view) {
-    const Place& other = places_[match.stored];
-    // The same place at a neighbouring scale is no rival.
-    if (std::hypot(other.u_px - place.u_px, other.v_px - place.v_px) < place.size_px) continue;
-    second_bits = std::min<double>(second_bits, match.distance_bits);
-  }
-  if (first.distance_bits >= settings_.ratio * second_bits) return;
-  const std::size_t view = view_of_[first.stored];
-  const int point = static_cast<int>(first.stored - views_[view].first);
-  candidates_.push_back({view, {place, place_of(keypoint), point}});
-}
-
-void Recogniser::sort_by_view() {
-  starts_.assign(views_.size() + 2, 0);
-  for (const Candidate& candidate : candidates_) ++starts_[candidate.view + 2];
-  for (std::size_t k = 2; k < starts_.size(); ++k) starts_[k] += starts_[k - 1];
-  pairs_.resize(candidates_.size());
-  // Afterwards the start of view k + 1 has moved to entry k + 1.
-  for (const Candidate& candidate : candidates_) {
-    pairs_[starts_[candidate.view + 1]++] = candidate.pair;
-  }
+const std::vector<Recognition>& Recogniser::sorted() {
+  // At most one entry a landmark, so that the order is total.
+  std::ranges::sort(found_, [](const Recognition& a, const Recognition& b) {
+    return a.inliers != b.inliers ? a.inliers > b.inliers : a.landmark < b.landmark;
+  });
+  return found_;
 }
 
 }  // namespace striate

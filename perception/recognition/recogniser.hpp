@@ -1,60 +1,84 @@
 #pragma once
 
+#include <functional>
+#include <limits>
 #include <span>
 #include <vector>
 
 #include "perception/matching/descriptor_store.hpp"
 #include "perception/matching/hamming_search.hpp"
 #include "perception/recognition/consensus.hpp"
-#include "perception/recognition/object_model.hpp"
+#include "perception/recognition/landmark_view.hpp"
 #include "perception/recognition/recognition_settings.hpp"
 
 namespace striate {
 
-/// Finds taught objects in the keypoints of a picture or of a salient region. Nothing is allocated
-/// once the buffers have grown to what the pictures need.
+/// How much looking may cost. The views that come first in the order are looked at first.
+struct RecognitionBudget {
+  std::size_t most_views = std::numeric_limits<std::size_t>::max();
+  /// Asked before each view but the first; false ends the search. Empty: nothing ends it. Who
+  /// wants a limit of time asks a clock here.
+  std::function<bool()> goes_on;
+};
+
+/// Finds landmarks that were taught in the keypoints of a picture or of a salient region. Holds the
+/// views as searching wants them; who remembers landmarks adds and removes them. Nothing is
+/// allocated once the buffers have grown to what the pictures need.
 class Recogniser {
  public:
-  /// The models are only read here: their descriptors and places are copied.
   /// @throws UserError for settings out of range.
-  Recogniser(std::span<const ObjectModel> models, const RecognitionSettings& settings);
+  explicit Recogniser(const RecognitionSettings& settings);
 
-  /// @return an entry for each object that is there, its best view; most inliers first, of equals
-  /// the one that was taught first. Valid until the next call.
+  /// @param landmark a number of the caller's; views of one landmark share it.
+  /// @return the view's number, from 0 upwards; that of a removed view is given again.
+  /// @throws std::invalid_argument where keypoints and descriptors differ in number, or a size is
+  /// not above 0.
+  int add(int landmark, const LandmarkView& view);
+  /// @throws std::out_of_range where there is no such view.
+  void remove(int view);
+  [[nodiscard]] std::size_t size() const { return in_use_; }  ///< views
+
+  /// Looks for all views, in the order of their numbers.
+  /// @return an entry for each landmark that is there, its best view; most inliers first, of equals
+  /// the one with the lower number. Valid until the next call.
   const std::vector<Recognition>& recognise(std::span<const Keypoint> keypoints);
+
+  /// Looks for the views of `order` (numbers as add() gave them, the most active first) until the
+  /// budget is spent. Numbers of removed views are passed over.
+  const std::vector<Recognition>& recognise(std::span<const Keypoint> keypoints,
+                                            std::span<const int> order,
+                                            const RecognitionBudget& budget);
+  /// How many views the last call looked at.
+  [[nodiscard]] std::size_t looked_at() const { return looked_at_; }
 
  private:
   struct View {
-    int object;
-    int number;         ///< of the object's views
-    std::size_t first;  ///< its descriptors in the store
-    std::size_t count;
-    double width_px;
-    double height_px;
-  };
-  struct Candidate {
-    std::size_t view;
-    PlacePair pair;
+    bool in_use = false;
+    int landmark = 0;
+    DescriptorStore store;
+    std::vector<Place> places;  ///< of each descriptor
+    double width_px = 0.0;
+    double height_px = 0.0;
   };
 
-  void recognise_as_in_paper(std::span<const Keypoint> keypoints);
-  void choose_candidates(std::span<const Keypoint> keypoints, std::span<const Match> matches);
-  void add_candidate(const Keypoint& keypoint, std::span<const Match> of_view);
-  void sort_by_view();
+  void begin(std::span<const Keypoint> keypoints);
+  void look_for(int number, std::span<const Keypoint> keypoints);
+  [[nodiscard]] bool find_by_papers_rule(const View& view, std::span<const Keypoint> keypoints,
+                                         Recognition& found);
+  [[nodiscard]] bool find_pose(const View& view, std::span<const Keypoint> keypoints,
+                               Recognition& found);
+  void add_pair(const View& view, const Keypoint& keypoint, std::span<const Match> matches);
   void keep(const Recognition& recognition);
+  const std::vector<Recognition>& sorted();
 
   RecognitionSettings settings_;
   std::vector<View> views_;
-  std::vector<std::size_t> view_of_;  ///< of every stored descriptor
-  std::vector<Place> places_;         ///< of every stored descriptor, in its view
-  DescriptorStore store_;
+  std::size_t in_use_ = 0, looked_at_ = 0;
   HammingSearch search_;
   ConsensusFinder consensus_;
   std::vector<Descriptor> queries_;
-  std::vector<Candidate> candidates_;
-  std::vector<std::size_t> starts_;  ///< of each view's pairs
   std::vector<PlacePair> pairs_;
-  std::vector<Match> nearest_;  ///< paper: of every stored descriptor
+  std::vector<Match> nearest_;  ///< paper: of every descriptor of a view
   std::vector<Recognition> found_;
 };
 

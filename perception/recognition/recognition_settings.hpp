@@ -11,9 +11,9 @@ struct RecognitionSettings {
   RecognitionSetting setting = RecognitionSetting::robust;
   int paper_limit_bits = 48;     ///< paper: a match is below it
   double paper_share = 0.5;      ///< paper: of a view's descriptors that must have a match
-  int limit_bits = 84;           ///< robust: candidates are below it
+  int limit_bits = 80;           ///< robust: candidates are below it
   double ratio = 0.85;           ///< robust: nearest over second nearest of the same view
-  int least_inliers = 12;        ///< robust: keypoints of a view that agree on a pose
+  int least_inliers = 8;         ///< robust: keypoints of a view that agree on a pose
   double vote_tolerance = 0.15;  ///< of the view's side, when pairs vote
   double fit_tolerance = 0.04;   ///< of the view's side, when the pose is fitted
   double most_stretch = 2.5;     ///< how much longer one direction may be drawn than the other

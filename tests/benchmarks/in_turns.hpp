@@ -1,9 +1,12 @@
 #pragma once
 
 #include <benchmark/benchmark.h>
+#include <fmt/format.h>
 #include <hwy/targets.h>
 
 #include <cstdlib>
+#include <functional>
+#include <map>
 #include <opencv2/core/utility.hpp>
 #include <string>
 #include <vector>
@@ -43,6 +46,36 @@ class InTurns {
   std::vector<std::string> arguments_;
   std::vector<char*> pointers_;
   int count_ = 0;
+};
+
+/// Reports as usual and gathers the medians of CPU time.
+class Medians : public benchmark::ConsoleReporter {
+ public:
+  void ReportRuns(const std::vector<Run>& runs) override {
+    ConsoleReporter::ReportRuns(runs);
+    for (const Run& run : runs) {
+      if (run.aggregate_name != "median") continue;
+      names_.push_back(run.run_name.function_name);
+      cpu_time_[names_.back()] = run.GetAdjustedCPUTime();
+    }
+  }
+  /// Each median as a multiple of its yardstick's.
+  /// @param yardstick_of the name of the yardstick of a method; one that did not run is left out.
+  void print_ratios(const std::function<std::string(const std::string&)>& yardstick_of) const {
+    fmt::print("\n{:44} {:>10} {:>8}\n", "median CPU time", "", "ratio");
+    for (const std::string& name : names_) {
+      const auto yardstick = cpu_time_.find(yardstick_of(name));
+      const double time = cpu_time_.at(name);
+      fmt::print(
+          "{:44} {:10.2f} {:>8}\n", name, time,
+          yardstick == cpu_time_.end() ? "" : fmt::format("{:.2f}", time / yardstick->second));
+    }
+  }
+  [[nodiscard]] const std::map<std::string, double>& cpu_time() const { return cpu_time_; }
+
+ private:
+  std::vector<std::string> names_;
+  std::map<std::string, double> cpu_time_;
 };
 
 }  // namespace striate

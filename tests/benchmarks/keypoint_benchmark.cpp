@@ -1,7 +1,6 @@
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
-#include <map>
 #include <opencv2/features2d.hpp>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
@@ -39,31 +38,6 @@ void opencv(benchmark::State& state, const cv::Mat1b& picture,
   }
   state.counters["found"] = static_cast<double>(found.size());
 }
-
-/// Also gathers the medians.
-class Medians : public benchmark::ConsoleReporter {
- public:
-  void ReportRuns(const std::vector<Run>& runs) override {
-    ConsoleReporter::ReportRuns(runs);
-    for (const Run& run : runs) {
-      if (run.aggregate_name != "median") continue;
-      names_.push_back(run.run_name.function_name);
-      cpu_ms_[names_.back()] = run.GetAdjustedCPUTime();
-    }
-  }
-  void print_ratios() const {
-    if (!cpu_ms_.contains(kYardstick)) return;
-    fmt::print("\n{:28} {:>10} {:>8}\n", "median CPU time", "ms", "ratio");
-    for (const std::string& name : names_) {
-      const double ms = cpu_ms_.at(name);
-      fmt::print("{:28} {:10.2f} {:8.2f}\n", name, ms, ms / cpu_ms_.at(kYardstick));
-    }
-  }
-
- private:
-  std::vector<std::string> names_;
-  std::map<std::string, double> cpu_ms_;
-};
 
 void register_all(const cv::Mat1b& picture) {
   auto add = [&](const char* name, const auto& function, const auto& what) {
@@ -106,6 +80,6 @@ int main(int argc, char** argv) {
   striate::register_all(picture);
   striate::Medians medians;
   benchmark::RunSpecifiedBenchmarks(&medians);
-  medians.print_ratios();
+  medians.print_ratios([](const std::string&) { return striate::kYardstick; });
   return 0;
 }

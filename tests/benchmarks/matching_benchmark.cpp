@@ -7,8 +7,8 @@
 #include <map>
 #include <opencv2/features2d.hpp>
 
-#include "perception/keypoints/keypoints.hpp"
 #include "perception/matching/hamming_search.hpp"
+#include "perception/recognition/oriented_keypoints.hpp"
 #include "tests/benchmarks/in_turns.hpp"
 #include "tests/reference/hamming_reference.hpp"
 #include "tests/reference/test_pictures.hpp"
@@ -56,14 +56,16 @@ Data complete(std::vector<Descriptor> stored) {
   return data;
 }
 
-/// Descriptors of keypoints in made pictures: their bits depend on each other as real ones do.
+/// Striate's own descriptors of keypoints in made pictures: their bits depend on each other as real
+/// ones do.
 std::vector<Descriptor> of_keypoints(std::size_t count) {
   std::vector<Descriptor> result;
-  KeypointSettings settings;
-  settings.threshold = 0.0;
-  KeypointFinder finder(settings);
+  OrientedSettings settings;
+  settings.keypoints = {};
+  settings.keypoints.threshold = 0.0;
+  OrientedKeypoints oriented(settings);
   for (int seed = 1; result.size() < count; ++seed) {
-    for (const Keypoint& point : finder.find(reference::texture({640, 480}, seed))) {
+    for (const Keypoint& point : oriented(reference::texture({640, 480}, seed))) {
       if (result.size() < count) result.push_back(point.descriptor);
     }
   }
@@ -116,29 +118,15 @@ void restrict_to(std::int64_t target) {
   hwy::GetChosenTarget().Update(hwy::SupportedTargets());
 }
 
-class Medians : public benchmark::ConsoleReporter {
- public:
-  void ReportRuns(const std::vector<Run>& runs) override {
-    ConsoleReporter::ReportRuns(runs);
-    for (const Run& run : runs) {
-      if (run.aggregate_name != "median") continue;
-      cpu_ms_[run.run_name.function_name] = run.GetAdjustedCPUTime();
-    }
+/// How many times longer OpenCV takes for the same answer.
+void print_gains(const std::map<std::string, double>& cpu_ms) {
+  fmt::print("\n{:44} {:>9} {:>14}\n", "median CPU time", "ms", "OpenCV / it");
+  for (const auto& [name, ms] : cpu_ms) {
+    const auto yardstick = cpu_ms.find(name.substr(0, name.rfind('/')) + "/OpenCV");
+    if (yardstick == cpu_ms.end()) continue;
+    fmt::print("{:44} {:9.2f} {:14.1f}\n", name, ms, yardstick->second / ms);
   }
-  /// How many times longer OpenCV takes for the same answer.
-  void print_ratios() const {
-    fmt::print("\n{:44} {:>9} {:>14}\n", "median CPU time", "ms", "OpenCV / it");
-    for (const auto& [name, ms] : cpu_ms_) {
-      const std::size_t slash = name.rfind('/');
-      const auto yardstick = cpu_ms_.find(name.substr(0, slash) + "/OpenCV");
-      if (yardstick == cpu_ms_.end()) continue;
-      fmt::print("{:44} {:9.2f} {:14.1f}\n", name, ms, yardstick->second / ms);
-    }
-  }
-
- private:
-  std::map<std::string, double> cpu_ms_;
-};
+}
 
 void add_benchmarks(const std::string& what, const Data& data) {
   auto add = [](const std::string& name, auto function) {
@@ -185,6 +173,6 @@ int main(int argc, char** argv) {
   }
   striate::Medians medians;
   benchmark::RunSpecifiedBenchmarks(&medians);
-  medians.print_ratios();
+  striate::print_gains(medians.cpu_time());
   return 0;
 }

@@ -1,7 +1,6 @@
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
-#include <map>
 #include <opencv2/calib3d.hpp>
 
 #include "perception/keypoints/keypoints.hpp"
@@ -67,32 +66,6 @@ void keypoints(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(finder.find(picture));
 }
 
-/// Also gathers the medians.
-class Medians : public benchmark::ConsoleReporter {
- public:
-  void ReportRuns(const std::vector<Run>& runs) override {
-    ConsoleReporter::ReportRuns(runs);
-    for (const Run& run : runs) {
-      if (run.aggregate_name != "median") continue;
-      names_.push_back(run.run_name.function_name);
-      cpu_ms_[names_.back()] = run.GetAdjustedCPUTime();
-    }
-  }
-  void print_ratios() const {
-    fmt::print("\n{:32} {:>10} {:>8}\n", "median CPU time", "ms", "ratio");
-    for (const std::string& name : names_) {
-      const double ms = cpu_ms_.at(name);
-      const auto yardstick = cpu_ms_.find(name.substr(0, name.find(": ")) + ": " + kYardstick);
-      fmt::print("{:32} {:10.2f} {:>8}\n", name, ms,
-                 yardstick == cpu_ms_.end() ? "" : fmt::format("{:.2f}", ms / yardstick->second));
-    }
-  }
-
- private:
-  std::vector<std::string> names_;
-  std::map<std::string, double> cpu_ms_;
-};
-
 void register_size(cv::Size size) {
   auto add = [&](const std::string& name, const auto& function) {
     const std::string full = fmt::format("{}x{}: {}", size.width, size.height, name);
@@ -134,6 +107,8 @@ int main(int argc, char** argv) {
   striate::register_all();
   striate::Medians medians;
   benchmark::RunSpecifiedBenchmarks(&medians);
-  medians.print_ratios();
+  medians.print_ratios([](const std::string& name) {
+    return name.substr(0, name.find(": ")) + ": " + striate::kYardstick;
+  });
   return 0;
 }

@@ -4,14 +4,20 @@
 #include <opencv2/imgproc.hpp>
 
 #include "perception/perception.hpp"
+#include "perception/recognition/oriented_keypoints.hpp"
 #include "perception/recognition/recogniser.hpp"
+#include "tests/benchmarks/in_turns.hpp"
 #include "tests/reference/test_pictures.hpp"
 
 /// vision_cycle_benchmark: all of seeing on one core, in every picture: robust stereo at 160x120,
-/// obstacles, corridor, saliency, keypoints at 640x480, and recognition on the salient regions
-/// against 50 landmarks with 5 views of 150 descriptors; and its dearest stages by themselves.
+/// obstacles, corridor, saliency, keypoints at 640x480, Striate's own descriptor for those in the
+/// salient regions, and their recognition against 50 landmarks with 5 views of 150 descriptors; and
+/// its stages by themselves.
 namespace striate {
 namespace {
+
+constexpr int kLandmarks = 50, kViews = 5;
+constexpr std::size_t kDescriptors = 150;  ///< of a view
 
 cv::Mat1b eye(int shift_px) {
   const cv::Mat1b fine = reference::texture({320, 240}, 1, shift_px / 2);
@@ -40,18 +46,21 @@ PerceptionSettings in_every_picture() {
   return settings;
 }
 
-std::vector<ObjectModel> landmarks() {
-  KeypointSettings settings;
-  settings.most = 150;
-  settings.threshold = 0.0;
-  std::vector<ObjectModel> models(50);
-  for (int k = 0; k < 250; ++k) {
-    const cv::Mat1b picture = reference::texture({320, 240}, 100 + k);
-    auto find = [&](const cv::Mat1b& grey) { return find_keypoints(grey, settings); };
-    models[static_cast<std::size_t>(k / 5)].views.push_back(
-        make_view(picture, {0, 0, 320, 240}, find));
+Recogniser taught() {
+  Recogniser recogniser({});
+  OrientedSettings settings;
+  settings.keypoints = {};
+  settings.keypoints.threshold = 0.0;
+  settings.keypoints.most = 150;
+  OrientedKeypoints oriented(settings);
+  for (int k = 0; k < kLandmarks * kViews; ++k) {
+    LandmarkView view = make_view(reference::texture({320, 240}, 100 + k), {0, 0, 320, 240},
+                                  [&](const cv::Mat1b& grey) { return oriented(grey); });
+    view.descriptors.resize(std::min(view.descriptors.size(), kDescriptors));
+    view.keypoints.resize(view.descriptors.size());
+    recogniser.add(k / kViews, view);
   }
-  return models;
+  return recogniser;
 }
 
 /// The keypoints that lie in any salient region; regions are at the working size.
@@ -69,19 +78,22 @@ void keep_salient(const Percept& percept, std::vector<Keypoint>& salient) {
   }
 }
 
-void whole_cycle(benchmark::State& state, int limit_bits) {
+void whole_cycle(benchmark::State& state) {
   Perception perception(in_every_picture(), {});
-  RecognitionSettings settings;
-  settings.limit_bits = limit_bits;
-  Recogniser recogniser(landmarks(), settings);
+  Recogniser recogniser = taught();
+  OrientedKeypoints oriented(OrientedSettings{});
   const StereoFrame pictures = frame();
-  std::vector<Keypoint> salient;
+  std::vector<Keypoint> salient, described;
+  cv::Mat1b grey;
   for (auto _ : state) {
     const Percept percept = perception.see(pictures);
     keep_salient(percept, salient);
-    benchmark::DoNotOptimize(recogniser.recognise(salient).size());
+    cv::cvtColor(pictures.left, grey, cv::COLOR_BGR2GRAY);
+    oriented.describe(grey, salient, described);
+    benchmark::DoNotOptimize(recogniser.recognise(described).size());
   }
   state.counters["salient keypoints"] = static_cast<double>(salient.size());
+  state.counters["descriptors"] = static_cast<double>(described.size());
   state.counters["cycles/s"] =
       benchmark::Counter(static_cast<double>(state.iterations()), benchmark::Counter::kIsRate);
 }
@@ -102,30 +114,80 @@ void stereo(benchmark::State& state) {
   for (auto _ : state) matcher.match(left, right, map);
 }
 
-/// All keypoints of the picture, not the salient ones alone.
-void recognition(benchmark::State& state) {
-  Recogniser recogniser(landmarks(), {});
-  const std::vector<Keypoint> seen = find_keypoints(eye(0), {});
-  for (auto _ : state) benchmark::DoNotOptimize(recogniser.recognise(seen).size());
-  state.counters["keypoints"] = static_cast<double>(seen.size());
+void saliency(benchmark::State& state) {
+  PerceptionSettings settings = in_every_picture();
+  settings.keypoints_every = 0;
+  SaliencyFinder finder(settings.saliency);
+  cv::Mat3b colour;
+  cv::resize(frame().left, colour, {160, 120}, 0, 0, cv::INTER_AREA);
+  DisparityMap map;
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(finder.find(colour, map, ViewGeometry(map, {}, {})).regions.size());
+  }
+}
+
+void keypoints(benchmark::State& state) {
+  KeypointFinder finder{KeypointSettings{}};
+  const cv::Mat1b picture = eye(0);
+  std::vector<Keypoint> found;
+  for (auto _ : state) {
+    finder.find(picture, found);
+    benchmark::DoNotOptimize(found.data());
+  }
+}
+
+std::vector<Keypoint> salient_keypoints() {
+  Perception perception(in_every_picture(), {});
+  std::vector<Keypoint> salient;
+  keep_salient(perception.see(frame()), salient);
+  return salient;
+}
+
+cv::Mat1b left_grey() {
+  cv::Mat1b grey;
+  cv::cvtColor(frame().left, grey, cv::COLOR_BGR2GRAY);
+  return grey;
+}
+
+void describing(benchmark::State& state) {
+  OrientedKeypoints oriented(OrientedSettings{});
+  const std::vector<Keypoint> salient = salient_keypoints();
+  const cv::Mat1b grey = left_grey();
+  std::vector<Keypoint> described;
+  for (auto _ : state) oriented.describe(grey, salient, described);
+  state.counters["descriptors"] = static_cast<double>(described.size());
+}
+
+/// Of the salient keypoints, or of all of the picture.
+void recognition(benchmark::State& state, bool whole_picture) {
+  Recogniser recogniser = taught();
+  OrientedKeypoints oriented(OrientedSettings{});
+  const cv::Mat1b grey = left_grey();
+  std::vector<Keypoint> described;
+  oriented.describe(grey, whole_picture ? find_keypoints(grey, {}) : salient_keypoints(),
+                    described);
+  for (auto _ : state) benchmark::DoNotOptimize(recogniser.recognise(described).size());
+  state.counters["descriptors"] = static_cast<double>(described.size());
 }
 
 }  // namespace
 }  // namespace striate
 
 int main(int argc, char** argv) {
-  cv::setNumThreads(1);
-  benchmark::Initialize(&argc, argv);
-  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
+  striate::InTurns turns(argc, argv, 5, "0.1");
+  if (turns.refuse_arguments()) return 2;
   auto add = [](const char* name, const auto& function) {
     benchmark::RegisterBenchmark(name, function)->Unit(benchmark::kMillisecond);
   };
-  add("whole cycle", [](auto& state) { striate::whole_cycle(state, 84); });
-  add("whole cycle, pairs below 48 bits", [](auto& state) { striate::whole_cycle(state, 48); });
+  add("whole cycle", striate::whole_cycle);
   add("seeing", [](auto& state) { striate::seeing_without(state, true); });
   add("seeing without keypoints", [](auto& state) { striate::seeing_without(state, false); });
   add("stereo 160x120, robust", striate::stereo);
-  add("recognition, whole picture", striate::recognition);
+  add("saliency, paper", striate::saliency);
+  add("keypoints", striate::keypoints);
+  add("describing the salient keypoints", striate::describing);
+  add("recognition", [](auto& state) { striate::recognition(state, false); });
+  add("recognition, whole picture", [](auto& state) { striate::recognition(state, true); });
   benchmark::RunSpecifiedBenchmarks();
   return 0;
 }

@@ -1,0 +1,159 @@
+#define HWY_WANT_AVX3_DL 1
+
+#include "perception/descriptor/pooling_kernels.hpp"
+
+#include <cstddef>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "perception/descriptor/pooling_kernels.cpp"
+#include <hwy/foreach_target.h>
+// After foreach_target.h, which defines the target.
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace striate::pooling_kernels::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+std::int16_t LargestResponse(const OddWindow& window) {
+  const hn::CappedTag<std::int16_t, kOrientations> d;
+  auto largest = hn::Zero(d);
+  for (const std::int16_t* plane : window.odd) {
+    for (int y = 0; y < kWindowSide_px; ++y, plane += window.stride) {
+      for (std::size_t x = 0; x < kWindowSide_px; x += hn::Lanes(d)) {
+        const auto value = hn::LoadU(d, plane + x);
+        largest = hn::Max(largest, hn::Max(value, hn::SaturatedSub(hn::Zero(d), value)));
+      }
+    }
+  }
+  return hn::GetLane(hn::MaxOfLanes(d, largest));
+}
+
+/// The 9 neighbouring directions that a turned picture's 8 lie between.
+struct Directions {
+  const std::int16_t* plane[kOrientations + 1];
+  std::int16_t factor[kOrientations + 1];
+
+  Directions(const OddWindow& window, const Turn& turn) {
+    for (int i = 0; i <= kOrientations; ++i) {
+      const int direction = (turn.steps + i) % kChannels;
+      plane[i] = window.odd[static_cast<std::size_t>(direction % kOrientations)];
+      // Half a turn further, light and dark have changed sides.
+      const bool same = direction < kOrientations;
+      factor[i] = static_cast<std::int16_t>(same ? turn.factor : -turn.factor);
+    }
+  }
+};
+
+#if HWY_TARGET == HWY_SCALAR
+void TurnWindow(const OddWindow& window, const Turn& turn, std::int16_t* HWY_RESTRICT out) {
+  const Directions from(window, turn);
+  for (int y = 0; y < kWindowSide_px; ++y) {
+    for (int x = 0; x < kWindowSide_px; ++x, out += kChannels) {
+      const std::ptrdiff_t at = static_cast<std::ptrdiff_t>(y) * window.stride + x;
+      for (int i = 0; i < kOrientations; ++i) {
+        const int value = from.plane[i][at] * from.factor[i];
+        const int next = from.plane[i + 1][at] * from.factor[i + 1];
+        auto share = [&](int response) { return (response * turn.fraction + (1 << 14)) >> 15; };
+        const int between = value - share(value) + share(next);
+        out[i] = static_cast<std::int16_t>(between > 0 ? between : 0);
+        out[i + kOrientations] = static_cast<std::int16_t>(between < 0 ? -between : 0);
+      }
+    }
+  }
+}
+#else
+using D8 = hn::FixedTag<std::int16_t, kOrientations>;
+using V8 = hn::Vec<D8>;
+
+/// Rows become columns: afterwards rows[k] holds element k of all eight.
+HWY_INLINE void Transpose(V8* HWY_RESTRICT rows) {
+  const D8 d;
+  // Three perfect shuffles of 64 elements.
+#pragma GCC unroll 3
+  for (int round = 0; round < 3; ++round) {
+    V8 shuffled[kOrientations];
+#pragma GCC unroll 4
+    for (int i = 0; i < 4; ++i) {
+      shuffled[2 * i] = hn::InterleaveLower(d, rows[i], rows[i + 4]);
+      shuffled[2 * i + 1] = hn::InterleaveUpper(d, rows[i], rows[i + 4]);
+    }
+#pragma GCC unroll 8
+    for (int i = 0; i < kOrientations; ++i) rows[i] = shuffled[i];
+  }
+}
+
+void TurnWindow(const OddWindow& window, const Turn& turn, std::int16_t* HWY_RESTRICT out) {
+  const D8 d;
+  const V8 fraction = hn::Set(d, turn.fraction), zero = hn::Zero(d);
+  const Directions from(window, turn);
+  for (int y = 0; y < kWindowSide_px; ++y) {
+    for (int x = 0; x < kWindowSide_px; x += kOrientations) {
+      const std::ptrdiff_t at = static_cast<std::ptrdiff_t>(y) * window.stride + x;
+      V8 rows[kOrientations];
+      V8 value = hn::Mul(hn::LoadU(d, from.plane[0] + at), hn::Set(d, from.factor[0]));
+#pragma GCC unroll 8
+      for (int i = 0; i < kOrientations; ++i) {
+        const V8 next =
+            hn::Mul(hn::LoadU(d, from.plane[i + 1] + at), hn::Set(d, from.factor[i + 1]));
+        // Not the difference of both, which 16 bits may not hold.
+        const V8 share = hn::Sub(value, hn::MulFixedPoint15(value, fraction));
+        rows[i] = hn::Add(share, hn::MulFixedPoint15(next, fraction));
+        value = next;
+      }
+      Transpose(rows);
+#pragma GCC unroll 8
+      for (const V8 row : rows) {
+        hn::StoreU(hn::Max(row, zero), d, out);
+        hn::StoreU(hn::Max(hn::Sub(zero, row), zero), d, out + kOrientations);
+        out += kChannels;
+      }
+    }
+  }
+}
+#endif
+
+void PoolAll(const std::int16_t* HWY_RESTRICT window, std::span<const Pool> pools,
+             std::int16_t* HWY_RESTRICT out) {
+  const hn::CappedTag<std::int16_t, kChannels> d;
+  for (const Pool& p : pools) {
+    for (std::size_t c = 0; c < kChannels; c += hn::Lanes(d)) {
+      const std::int16_t* row = window + p.first_pixel * kChannels + c;
+      auto sum = hn::Zero(d);
+      for (int y = 0; y < p.taps; ++y, row += kWindowSide_px * kChannels) {
+        auto along = hn::Zero(d);
+        for (int x = 0; x < p.taps; ++x) {
+          along = hn::SaturatedAdd(along, hn::MulFixedPoint15(hn::LoadU(d, row + x * kChannels),
+                                                              hn::Set(d, p.across[x])));
+        }
+        sum = hn::SaturatedAdd(sum, hn::MulFixedPoint15(along, hn::Set(d, p.down[y])));
+      }
+      hn::StoreU(sum, d, out + c);
+    }
+    out += kChannels;
+  }
+}
+
+}  // namespace striate::pooling_kernels::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace striate::pooling_kernels {
+
+HWY_EXPORT(LargestResponse);
+HWY_EXPORT(TurnWindow);
+HWY_EXPORT(PoolAll);
+
+std::int16_t largest_response(const OddWindow& window) {
+  return HWY_DYNAMIC_DISPATCH(LargestResponse)(window);
+}
+
+void turn_window(const OddWindow& window, const Turn& turn, std::int16_t* out) {
+  HWY_DYNAMIC_DISPATCH(TurnWindow)(window, turn, out);
+}
+
+void pool(const std::int16_t* window, std::span<const Pool> pools, std::int16_t* out) {
+  HWY_DYNAMIC_DISPATCH(PoolAll)(window, pools, out);
+}
+
+}  // namespace striate::pooling_kernels
+#endif

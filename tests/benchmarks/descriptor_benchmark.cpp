@@ -1,0 +1,122 @@
+#include <benchmark/benchmark.h>
+#include <fmt/format.h>
+
+#include <opencv2/features2d.hpp>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "perception/recognition/oriented_keypoints.hpp"
+#include "tests/benchmarks/in_turns.hpp"
+#include "tests/reference/test_pictures.hpp"
+
+/// descriptor_benchmark [PICTURE]: Striate's own descriptor of given frames at 640x480 beside ORB's
+/// and BRISK's, and keypoints with descriptors; one core, methods in turns, ratios to ORB. Without
+/// a picture a texture made by rule is used.
+namespace striate {
+namespace {
+
+constexpr int kFrames = 300;
+const char* const kYardstick = "ORB describes 300";
+
+/// The strongest keypoints of one scale, as the robot has them, or of many.
+std::vector<Keypoint> some_keypoints(const cv::Mat1b& picture, int scales) {
+  KeypointSettings settings;
+  settings.scales = scales;
+  settings.most = kFrames;
+  return find_keypoints(picture, settings);
+}
+
+void describe(benchmark::State& state, const cv::Mat1b& picture, int scales) {
+  OrientedKeypoints oriented(OrientedSettings{});
+  const std::vector<Keypoint> found = some_keypoints(picture, scales);
+  std::vector<Keypoint> described;
+  for (auto _ : state) {
+    oriented.describe(picture, found, described);
+    benchmark::DoNotOptimize(described.data());
+  }
+  state.counters["described"] = static_cast<double>(described.size());
+}
+
+/// The same frames, angles as given.
+void opencv_describes(benchmark::State& state, const cv::Mat1b& picture,
+                      const cv::Ptr<cv::Feature2D>& method) {
+  std::vector<cv::KeyPoint> points;
+  for (const Keypoint& point : some_keypoints(picture, 1)) {
+    points.emplace_back(static_cast<float>(point.u_px), static_cast<float>(point.v_px), 31.0F, 0.0F,
+                        1.0F, 0);
+  }
+  cv::Mat rows;
+  for (auto _ : state) {
+    std::vector<cv::KeyPoint> of_this_run = points;
+    method->compute(picture, of_this_run, rows);
+    benchmark::DoNotOptimize(rows.data);
+  }
+  state.counters["described"] = rows.rows;
+}
+
+void find_and_describe(benchmark::State& state, const cv::Mat1b& picture, int scales) {
+  OrientedSettings settings;
+  if (scales == 1) settings.keypoints = {};
+  settings.keypoints.most = 500;
+  OrientedKeypoints oriented(settings);
+  std::vector<Keypoint> found;
+  for (auto _ : state) {
+    oriented.find(picture, found);
+    benchmark::DoNotOptimize(found.data());
+  }
+  state.counters["described"] = static_cast<double>(found.size());
+}
+
+void opencv_finds(benchmark::State& state, const cv::Mat1b& picture,
+                  const cv::Ptr<cv::Feature2D>& method) {
+  std::vector<cv::KeyPoint> points;
+  cv::Mat rows;
+  for (auto _ : state) {
+    method->detectAndCompute(picture, cv::noArray(), points, rows);
+    benchmark::DoNotOptimize(rows.data);
+  }
+  state.counters["described"] = rows.rows;
+}
+
+void register_all(const cv::Mat1b& picture) {
+  auto add = [&](const char* name, const auto& function, const auto& what) {
+    benchmark::RegisterBenchmark(name, [=](auto& state) {
+      function(state, picture, what);
+    })->Unit(benchmark::kMillisecond);
+  };
+  const cv::Ptr<cv::Feature2D> orb = cv::ORB::create(500), brisk = cv::BRISK::create();
+  add("Striate describes 300 of lambda = 8", describe, 1);
+  add("Striate describes 300 of 5 scales", describe, 5);
+  add(kYardstick, opencv_describes, orb);
+  add("BRISK describes 300", opencv_describes, brisk);
+  add("Striate finds and describes 500, lambda = 8", find_and_describe, 1);
+  add("Striate finds and describes 500, 9 scales", find_and_describe, 9);
+  add("ORB finds and describes 500", opencv_finds, orb);
+  add("BRISK finds and describes", opencv_finds, brisk);
+}
+
+cv::Mat1b picture_of(int argc, char** argv) {
+  cv::Mat1b picture = reference::texture({640, 480}, 1);
+  if (argc > 1) {
+    picture = cv::imread(argv[1], cv::IMREAD_GRAYSCALE);
+    if (!picture.empty()) cv::resize(picture, picture, {640, 480}, 0, 0, cv::INTER_AREA);
+  }
+  return picture;
+}
+
+}  // namespace
+}  // namespace striate
+
+int main(int argc, char** argv) {
+  striate::InTurns turns(argc, argv, 9, "0.05");
+  const cv::Mat1b picture = striate::picture_of(turns.count(), turns.arguments());
+  if (turns.count() > 2 || picture.empty()) {
+    fmt::print(stderr, "descriptor_benchmark [PICTURE]: one picture that can be read\n");
+    return 2;
+  }
+  striate::register_all(picture);
+  striate::Medians medians;
+  benchmark::RunSpecifiedBenchmarks(&medians);
+  medians.print_ratios([](const std::string&) { return striate::kYardstick; });
+  return 0;
+}

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "perception/descriptor/pooling_kernels.hpp"
+
+/// What perception/descriptor/pooling_kernels.hpp promises, in plain loops.
+namespace striate::reference {
+
+/// a b / 32768 to the nearest whole number, halves upwards.
+inline int times_15(int a, int b) {
+  return (a * b + (1 << 14)) >> 15;
+}
+
+inline std::vector<std::int16_t> turned_window(const pooling_kernels::OddWindow& window,
+                                               const pooling_kernels::Turn& turn) {
+  using namespace pooling_kernels;
+  std::vector<std::int16_t> out;
+  for (int y = 0; y < kWindowSide_px; ++y) {
+    for (int x = 0; x < kWindowSide_px; ++x) {
+      auto towards = [&](int direction) {
+        const int d = direction % kChannels;
+        const int odd = window.odd[static_cast<std::size_t>(d % kOrientations)]
+                                  [static_cast<std::ptrdiff_t>(y) * window.stride + x];
+        return (d < kOrientations ? odd : -odd) * turn.factor;
+      };
+      for (int c = 0; c < kChannels; ++c) {
+        const int here = towards(turn.steps + c % kOrientations);
+        const int next = towards(turn.steps + c % kOrientations + 1);
+        const int between = here - times_15(here, turn.fraction) + times_15(next, turn.fraction);
+        out.push_back(
+            static_cast<std::int16_t>(std::max(c < kOrientations ? between : -between, 0)));
+      }
+    }
+  }
+  return out;
+}
+
+inline std::int16_t pooled(const std::vector<std::int16_t>& window,
+                           const pooling_kernels::Pool& pool, int channel) {
+  using namespace pooling_kernels;
+  int sum = 0;
+  for (int y = 0; y < pool.taps; ++y) {
+    int along = 0;
+    for (int x = 0; x < pool.taps; ++x) {
+      const int pixel = pool.first_pixel + y * kWindowSide_px + x;
+      along +=
+          times_15(window[static_cast<std::size_t>(pixel * kChannels + channel)], pool.across[x]);
+    }
+    sum += times_15(along, pool.down[y]);
+  }
+  return static_cast<std::int16_t>(sum);
+}
+
+}  // namespace striate::reference
