@@ -6,15 +6,18 @@
 #include <yaml-cpp/mark.h>
 #include <yaml-cpp/parser.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+#include <string_view>
 
 namespace striate::config {
 namespace {
 
 constexpr std::size_t kMaxBytes = 1'000'000;
 constexpr int kMaxDepth = 32;
+constexpr int kMaxValues = 20'000;
 
 /// Thrown where reading on makes no sense; the mistake is noted already.
 struct GiveUp {};
@@ -27,7 +30,7 @@ Place place_of(const YAML::Mark& mark) {
 /// expands alias bombs and reads 010 as 8.
 class TreeBuilder final : public YAML::EventHandler {
  public:
-  explicit TreeBuilder(Mistakes& mistakes) : mistakes_(mistakes) {}
+  TreeBuilder(const std::string& text, Mistakes& mistakes) : text_(text), mistakes_(mistakes) {}
   Node take() { return std::move(root_); }
 
   void OnDocumentStart(const YAML::Mark&) override {}
@@ -35,13 +38,21 @@ class TreeBuilder final : public YAML::EventHandler {
   void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override {
     refuse_anchor(mark, anchor);
     Node node;
-    node.place = place_of(mark);
+    node.place = place_before(mark);
     put(std::move(node));
   }
+  /// The parser does not follow aliases by itself, so a bomb of them stays small.
   void OnAlias(const YAML::Mark& mark, YAML::anchor_t) override {
-    mistakes_.add(place_of(mark), "aliases (*name) are not allowed",
-                  "write the value out where it is needed");
-    throw GiveUp{};
+    if (!alias_told_) {
+      mistakes_.add(fault::not_allowed, place_of(mark), "aliases (*name) are not allowed",
+                    "write the value out where it is needed");
+    }
+    alias_told_ = true;
+    Node node;
+    node.kind = Node::Kind::scalar;
+    node.place = place_of(mark);
+    node.open = true;
+    put(std::move(node));
   }
   void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
                 const std::string& value) override {
@@ -73,17 +84,31 @@ class TreeBuilder final : public YAML::EventHandler {
     Place key_place;
   };
 
+  /// Nothing has no place of its own: the parser gives that of what follows. Told is where the
+  /// '-' or ':' before it stands.
+  [[nodiscard]] Place place_before(const YAML::Mark& mark) const {
+    auto at = std::min(static_cast<std::size_t>(std::max(mark.pos, 0)), text_.size());
+    while (at > 0 && std::string_view(" \t\r\n").find(text_[at - 1]) != std::string_view::npos)
+      --at;
+    if (at == 0 || (text_[at - 1] != '-' && text_[at - 1] != ':')) return place_of(mark);
+    const auto line = std::count(text_.begin(), text_.begin() + static_cast<long>(at), '\n');
+    const std::size_t newline = text_.rfind('\n', at - 1);
+    const std::size_t begin = newline == std::string::npos ? 0 : newline + 1;
+    return {static_cast<int>(line) + 1, static_cast<int>(at - begin)};
+  }
+
+  /// The first is told; the rest is the same mistake.
   void refuse_anchor(const YAML::Mark& mark, YAML::anchor_t anchor) {
-    if (anchor == 0) return;
-    mistakes_.add(place_of(mark), "anchors (&name) are not allowed",
+    if (anchor == 0 || anchor_told_) return;
+    anchor_told_ = true;
+    mistakes_.add(fault::not_allowed, place_of(mark), "anchors (&name) are not allowed",
                   "write the value out where it is needed");
-    throw GiveUp{};
   }
 
   void refuse_tag(const YAML::Mark& mark, const std::string& tag) {
     if (tag.empty() || tag == "?" || tag == "!") return;
-    mistakes_.add(place_of(mark), fmt::format("tags ('{}') are not allowed", tag),
-                  "leave the tag away");
+    mistakes_.add(fault::not_allowed, place_of(mark),
+                  fmt::format("tags ('{}') are not allowed", tag), "leave the tag away");
   }
 
   void open(Node::Kind kind, const YAML::Mark& mark, const std::string& tag,
@@ -91,7 +116,8 @@ class TreeBuilder final : public YAML::EventHandler {
     refuse_anchor(mark, anchor);
     refuse_tag(mark, tag);
     if (static_cast<int>(levels_.size()) >= kMaxDepth) {
-      mistakes_.add(place_of(mark), fmt::format("nested deeper than {} levels", kMaxDepth),
+      mistakes_.add(fault::not_allowed, place_of(mark),
+                    fmt::format("nested deeper than {} levels", kMaxDepth),
                     "split it into several files");
       throw GiveUp{};
     }
@@ -108,6 +134,12 @@ class TreeBuilder final : public YAML::EventHandler {
   }
 
   void put(Node node) {
+    if (++values_ > kMaxValues) {
+      mistakes_.add(fault::not_allowed, node.place,
+                    fmt::format("more than {} values in one file", kMaxValues),
+                    "split it into several files");
+      throw GiveUp{};
+    }
     if (levels_.empty()) {
       root_ = std::move(node);
       return;
@@ -125,9 +157,9 @@ class TreeBuilder final : public YAML::EventHandler {
 
   void take_key(Level& level, const Node& node) {
     if (node.kind != Node::Kind::scalar) {
-      mistakes_.add(node.place, "a key must be a plain word", "");
+      mistakes_.add(fault::wrong_kind, node.place, "a key must be a plain word", "");
     } else if (const Node::Entry* earlier = level.node.find(node.text)) {
-      mistakes_.add(node.place, fmt::format("duplicate key '{}'", node.text),
+      mistakes_.add(fault::duplicate_key, node.place, fmt::format("duplicate key '{}'", node.text),
                     fmt::format("it stands already in line {}", earlier->key_place.line));
     }
     level.key = node.text;
@@ -135,7 +167,11 @@ class TreeBuilder final : public YAML::EventHandler {
     level.key_is_next = false;
   }
 
+  const std::string& text_;
   Mistakes& mistakes_;
+  bool anchor_told_ = false;
+  bool alias_told_ = false;
+  int values_ = 0;
   Node root_;
   std::vector<Level> levels_;
 };
@@ -166,30 +202,31 @@ std::string Node::describe() const {
 Node parse_yaml(const std::string& text, Mistakes& mistakes) {
   mistakes.set_source(text);
   if (text.size() > kMaxBytes) {
-    mistakes.add({}, "the file is larger than 1 MB", "configuration files are small; split it");
+    mistakes.add(fault::unreadable, {}, "the file is larger than 1 MB",
+                 "configuration files are small; split it");
     return {};
   }
   if (text.find('\0') != std::string::npos) {
-    mistakes.add({}, "the file holds zero bytes: it is no text file");
+    mistakes.add(fault::unreadable, {}, "the file holds zero bytes: it is no text file");
     return {};
   }
   std::istringstream stream(text);
-  TreeBuilder builder(mistakes);
+  TreeBuilder builder(text, mistakes);
   try {
     YAML::Parser parser(stream);
     if (!parser.HandleNextDocument(builder)) {
-      mistakes.add({}, "the file is empty");
+      mistakes.add(fault::unreadable, {}, "the file is empty");
       return {};
     }
     Node root = builder.take();
-    TreeBuilder second(mistakes);
+    TreeBuilder second(text, mistakes);
     if (parser.HandleNextDocument(second)) {
-      mistakes.add(second.take().place, "a second YAML document begins here",
+      mistakes.add(fault::not_allowed, second.take().place, "a second YAML document begins here",
                    "keep one document in a file: remove the line ---");
     }
     return root;
   } catch (const YAML::Exception& error) {
-    mistakes.add(place_of(error.mark), "not readable as YAML: " + error.msg,
+    mistakes.add(fault::unreadable, place_of(error.mark), "not readable as YAML: " + error.msg,
                  "look at indentation, colons and brackets here and in the line before");
   } catch (const GiveUp&) {
     return {};
@@ -201,18 +238,19 @@ Node load_yaml(Mistakes& mistakes) {
   const std::filesystem::path path(mistakes.file());
   std::error_code code;
   if (!std::filesystem::exists(path, code)) {
-    mistakes.add({}, "there is no such file", "look at the path; it is relative to where you are");
+    mistakes.add(fault::unreadable, {}, "there is no such file",
+                 "look at the path; it is relative to where you are");
     return {};
   }
   if (!std::filesystem::is_regular_file(path, code)) {
-    mistakes.add({}, "this is no file", "give the path of a YAML file");
+    mistakes.add(fault::unreadable, {}, "this is no file", "give the path of a YAML file");
     return {};
   }
   std::ifstream stream(path, std::ios::binary);
   std::string text(kMaxBytes + 1, '\0');
   stream.read(text.data(), static_cast<std::streamsize>(text.size()));
   if (stream.bad() || !stream.is_open()) {
-    mistakes.add({}, "the file cannot be read", "look at its permissions");
+    mistakes.add(fault::unreadable, {}, "the file cannot be read", "look at its permissions");
     return {};
   }
   text.resize(static_cast<std::size_t>(stream.gcount()));
