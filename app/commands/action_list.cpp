@@ -16,6 +16,21 @@ bool is_required(const BehaviourEntry& behaviour, const std::string& key) {
          behaviour.required.end();
 }
 
+/// Numbers of many digits, which come from radians, with four: "60.00014031 deg" as "60 deg".
+std::string readable(const std::string& text) {
+  std::string out;
+  for (std::size_t i = 0; i < text.size();) {
+    const std::size_t end = std::min(text.find_first_not_of("0123456789.", i), text.size());
+    const std::string digits = text.substr(i, end - i);
+    const bool long_number = digits.size() > 7 && digits.find("..") == std::string::npos &&
+                             digits.find('.') != std::string::npos;
+    out += long_number ? fmt::format("{:.4g}", std::stod(digits)) : digits;
+    if (end < text.size()) out += text[end];
+    i = end + 1;
+  }
+  return out;
+}
+
 std::string allowed_of(const ConditionEntry& condition) {
   return fmt::format("{} .. {}", config::print_quantity(condition.range.low, condition.unit),
                      config::print_quantity(condition.range.high, condition.unit));
@@ -49,7 +64,7 @@ std::string example_of(const BehaviourEntry& behaviour) {
     if (nested || (shown >= kShown && !required)) continue;
     if (line.value.empty() && !required) continue;
     ++shown;
-    const std::string value = required && line.value.empty() ? "book" : line.value;
+    const std::string value = required && line.value.empty() ? "book" : readable(line.value);
     arguments += fmt::format("{}{}: {}", arguments.empty() ? "" : ", ", line.key, value);
   }
   return fmt::format("{}: {{{}}}", behaviour.name, arguments);
@@ -78,8 +93,10 @@ std::string actions_as_text() {
     text += fmt::format("\n  {}: {}\n      - {}\n", behaviour.name, behaviour.help,
                         example_of(behaviour));
     for (const config::SettingLine& line : behaviour.parameters()) {
-      const std::string value = is_required(behaviour, line.key) ? "(must be given)" : line.value;
-      text += fmt::format("      {:24} {:16} {} ({})\n", line.key, value, line.help, line.allowed);
+      const std::string value =
+          is_required(behaviour, line.key) ? "(must be given)" : readable(line.value);
+      text += fmt::format("      {:24} {:16} {} ({})\n", line.key, value, line.help,
+                          readable(line.allowed));
     }
   }
   text += "\nConditions, for until, only_if, unless, pause_if and fail_if:\n\n";

@@ -54,7 +54,9 @@ TEST(Decisions, AreTheSameBitForBitInASecondRunAndWhenMadeAgainFromWhatWasSensed
           limiter.limit(arbiter.decide(trace.senses.now), trace.senses, memory);
       memory.remember(sent, executive.current_action());
       const bool going = to_seconds(trace.senses.now) < 12.0;
-      if (going) EXPECT_EQ(run->back(), decision(wish, sent, executive.current_action()));
+      if (going) {
+        EXPECT_EQ(run->back(), decision(wish, sent, executive.current_action()));
+      }
       return !going;
     });
   }
@@ -77,6 +79,26 @@ TEST(RoundTrip, GoesAlmostToTheEndAndComesBackByVisionAlone) {
   EXPECT_GT(farthest_m, 9.0);
   EXPECT_NEAR(mission.cycle().memory().progress_m(), 1.0, 0.4);
   EXPECT_GT(result.distance_m, 17.0);
+}
+
+TEST(SmallMission, SaysItsTextAndSucceedsWithItsStepsOrFailsWithAReason) {
+  const TemporaryFolder folder;
+  const std::string good =
+      folder.write("good.yaml",
+                   "striate: 1\ndo:\n  - say: hello\n  - try:\n      - turn_to: {by: 90 deg}\n"
+                   "        within: 0.3 s\n      - say: I cannot turn\nfinally:\n  - stop: {}\n");
+  const Ended said = striate({"run", good, "--world", "config/worlds/short.yaml"});
+  EXPECT_EQ(said.exit_code, 0) << said.out;
+  EXPECT_THAT(said.err, HasSubstr("says: hello\n"));
+  EXPECT_THAT(said.err, HasSubstr("says: I cannot turn\n"));
+  const std::string bad =
+      folder.write("bad.yaml",
+                   "striate: 1\nalways:\n  - fail_if: {after: 1 s}\ndo:\n  - wait: 9 s\nfinally:\n"
+                   "  - say: bye\n");
+  const Ended failed = striate({"run", bad, "--world", "config/worlds/short.yaml"});
+  EXPECT_EQ(failed.exit_code, 1);
+  EXPECT_THAT(failed.out, HasSubstr("task_failed (guard (line 3): after: 1 s)"));
+  EXPECT_THAT(failed.err, HasSubstr("says: bye\n"));
 }
 
 TEST(TaskCommand, ShowsTheTreeAsTextPictureAndXml) {

@@ -33,6 +33,8 @@ TEST(ActionList, TellsDefaultsRangesAndWhatMustBeGiven) {
   EXPECT_THAT(text, testing::ContainsRegex("      distance +0.3 m +how far \\(0.02 m .. 5 m\\)"));
   EXPECT_THAT(text, testing::ContainsRegex("      text +\\(must be given\\) +what is said"));
   EXPECT_THAT(text, testing::HasSubstr("{battery_below: 20 %}"));
+  EXPECT_THAT(text, testing::HasSubstr("- look_around: {pan: 60 deg, dwell: 0.7 s}"));
+  EXPECT_THAT(text, testing::HasSubstr("(2.865 deg .. 91.67 deg)"));
 }
 
 }  // namespace

@@ -129,7 +129,9 @@ TEST(LookAt, FollowsTheMostSalientRegionOfMemory) {
     memory.update(senses, percept);
     if (i == 5) look.start(memory);
     if (i >= 5) wish = look.tick(memory);
-    if (i == 8) EXPECT_NEAR(wish.pan_rad, radians(12.0), 0.1);
+    if (i == 8) {
+      EXPECT_NEAR(wish.pan_rad, radians(12.0), 0.1);
+    }
     if (wish.progress != Progress::running) break;
   }
   EXPECT_EQ(wish.progress, Progress::succeeded);
