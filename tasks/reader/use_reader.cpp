@@ -146,7 +146,7 @@ class UseReader {
     for (config::Mistake& mistake : of_file.take_at(done.place)) {
       std::string hint = fmt::format("used as ${} in {}:{}:{}", done.name, file_, done.place.line,
                                      done.place.column);
-      if (!mistake.hint.empty()) hint = mistake.hint + "\n    " + hint;
+      if (!mistake.hint.empty()) hint.insert(0, mistake.hint + "\n    ");
       mistakes_.add(mistake.fault, to, std::move(mistake.message), std::move(hint));
     }
   }
