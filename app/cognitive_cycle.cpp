@@ -39,7 +39,8 @@ void CognitiveCycle::remember() {
 /// The task script picks the behaviour, the behaviour says what it wants.
 void CognitiveCycle::want() {
   trace_.wish = executive_.tick(memory_, trace_.senses.now);
-  arbiter_.offer(MotorOwner::behaviour, trace_.wish);
+  if (executive_.owner() != MotorOwner::guard) arbiter_.release(MotorOwner::guard);
+  arbiter_.offer(executive_.owner(), trace_.wish);
 }
 
 /// One owner of the motors, one gate to them; what was really sent is remembered.

@@ -21,7 +21,9 @@ constexpr const char* kAbout =
     "  striate eval patches DIR\n"
     "      measures the vision on your own data, beside OpenCV's methods\n"
     "  striate check config/tasks/*.yaml config/worlds/*.yaml\n"
-    "      tells every mistake of task scripts, worlds and settings";
+    "      tells every mistake of task scripts, worlds and settings\n"
+    "  striate task actions\n"
+    "      lists what a task script can be made of";
 
 constexpr const char* kFooter =
     "\nExit codes: 0 success, 1 mission failed or something broke, 2 a mistake in what was given,\n"
@@ -38,6 +40,7 @@ int run(int argc, char** argv) {
   striate::add_trial_command(app, exit_code);
   striate::add_perceive_command(app, exit_code);
   striate::add_sim_command(app, exit_code);
+  striate::add_task_command(app, exit_code);
   striate::add_check_command(app, exit_code);
   striate::add_config_command(app, exit_code);
   striate::add_eval_command(app, exit_code);

@@ -26,12 +26,19 @@ RobotSettings settings_for(const MissionOptions& options) {
   return settings;
 }
 
-/// How far to drive is for the person to say: to the goal line and a little beyond, because the
-/// robot's own count of its way is not exact.
+/// How far to drive is for the person to say: `way` leads to the goal line and a little beyond,
+/// `there` ends a little before it, because the robot's own count of its way is not exact.
 GivenVariables course_of(const simulator::World& world) {
-  constexpr double kBeyond_m = 1.5;
-  const double way_m = world.goal_beyond_m - world.start.x_m + kBeyond_m;
-  return {{"way", config::print_quantity(way_m, config::Unit::length)}};
+  constexpr double kMargin_m = 1.5;
+  const double line_m = world.goal_beyond_m - world.start.x_m;
+  return {{"way", config::print_quantity(line_m + kMargin_m, config::Unit::length)},
+          {"there", config::print_quantity(line_m - kMargin_m, config::Unit::length)}};
+}
+
+/// A task that asks for the way to the goal line has it as its goal; any other is judged by
+/// whether it succeeds.
+bool goal_is_the_line(const Task& task) {
+  return std::find(task.variables.begin(), task.variables.end(), "way") != task.variables.end();
 }
 
 }  // namespace
@@ -82,7 +89,7 @@ void Mission::one_cycle_on() {
 }
 
 void Mission::watch_the_judge() {
-  if (body_->judge().reached_goal()) {
+  if (body_->judge().reached_goal() && goal_is_the_line(executive_.task())) {
     executive_.interrupt(MissionState::succeeded, "beyond the goal line");
   }
 }
@@ -113,7 +120,9 @@ RunResult Mission::result() const {
   } else if (!result.collisions.empty()) {
     result.outcome = "collision";
     result.reason = "touched " + result.collisions.front().hit;
-  } else if (result.reached_goal) {
+  } else if (goal_is_the_line(executive_.task())
+                 ? result.reached_goal
+                 : executive_.ended() && executive_.state() == MissionState::succeeded) {
     result.outcome = "success";
     result.reason.clear();
   } else if (judge.outcome() == simulator::Outcome::time_up) {

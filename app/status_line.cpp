@@ -43,6 +43,13 @@ void StatusLine::show(const std::string& text) {
   std::fflush(stderr);
 }
 
+void StatusLine::tell(const std::string& text) {
+  if (quiet_) return;
+  clear();
+  fmt::print(stderr, "{}\n", text);
+  std::fflush(stderr);
+}
+
 void StatusLine::clear() {
   if (!terminal_ || !shown_) return;
   fmt::print(stderr, "\r\033[K");

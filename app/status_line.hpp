@@ -17,6 +17,8 @@ class StatusLine {
   /// Whether showing now would be seen: build the text only then.
   [[nodiscard]] bool due() const;
   void show(const std::string& text);
+  /// A line of its own that stays.
+  void tell(const std::string& text);
   /// Removes the line from a terminal, so that other output starts clean.
   void clear();
 

@@ -18,6 +18,7 @@ class BackUp : public Behaviour {
       : line_(settings.distance_m, -settings.speed_m_s) {}
   void start(const ShortTermMemory& memory) override { line_.start(memory); }
   Wish tick(const ShortTermMemory& memory) override { return line_.tick(memory); }
+  [[nodiscard]] Motors motors() const override { return Motors::wheels; }
 
  private:
   StraightLine line_;

@@ -16,6 +16,8 @@ class LookAround : public Behaviour {
   LookAround(const Settings& settings, const RobotDescription& robot);
   void start(const ShortTermMemory& memory) override;
   Wish tick(const ShortTermMemory& memory) override;
+  [[nodiscard]] Motors motors() const override { return Motors::head; }
+  [[nodiscard]] bool can_fail() const override { return false; }
 
  private:
   Settings settings_;

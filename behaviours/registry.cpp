@@ -4,6 +4,8 @@
 #include "behaviours/back_up.hpp"
 #include "behaviours/drive_straight.hpp"
 #include "behaviours/look_around.hpp"
+#include "behaviours/look_at.hpp"
+#include "behaviours/say.hpp"
 #include "behaviours/stop.hpp"
 #include "behaviours/traverse_corridor.hpp"
 #include "behaviours/turn_to.hpp"
@@ -17,6 +19,9 @@ const std::vector<BehaviourEntry>& behaviour_registry() {
       behaviour_entry<BackUp>("back_up", "drives straight back"),
       behaviour_entry<DriveStraight>("drive_straight", "drives straight ahead"),
       behaviour_entry<LookAround>("look_around", "turns the head from side to side, and back"),
+      behaviour_entry<LookAt>("look_at",
+                              "turns the head to a direction, or to what is most salient"),
+      behaviour_entry<Say>("say", "shows a text to people"),
       behaviour_entry<Stop>("stop", "stands still"),
       behaviour_entry<TraverseCorridor>("traverse_corridor",
                                         "drives along the corridor, round what stands in it"),
@@ -31,6 +36,15 @@ const BehaviourEntry* find_behaviour(const std::string& name) {
     if (entry.name == name) return &entry;
   }
   return nullptr;
+}
+
+config::Node detail::with_main(const config::Node& arguments, const std::string& main) {
+  if (arguments.kind != config::Node::Kind::scalar || main.empty()) return arguments;
+  config::Node map;
+  map.kind = config::Node::Kind::map;
+  map.place = arguments.place;
+  map.entries.push_back({main, arguments.place, arguments});
+  return map;
 }
 
 }  // namespace striate

@@ -22,6 +22,8 @@ struct BehaviourEntry {
       make;
   /// Name, default, range and meaning of every argument.
   std::function<std::vector<config::SettingLine>()> parameters;
+  std::string main;                   ///< `- say: hello` is `- say: {text: hello}`; empty: none
+  std::vector<std::string> required;  ///< parameters without which it makes no sense
 };
 
 /// All behaviours, by name.
@@ -30,6 +32,29 @@ struct BehaviourEntry {
 /// The entry of that name, or nullptr.
 [[nodiscard]] const BehaviourEntry* find_behaviour(const std::string& name);
 
+namespace detail {
+
+/// A class may name its main parameter: `static constexpr const char* kMain = "text";`
+template <class B>
+std::string main_of() {
+  if constexpr (requires { B::kMain; }) return B::kMain;
+  return {};
+}
+
+/// And those that must be given: `static constexpr const char* kRequired[] = {"text"};`
+template <class B>
+std::vector<std::string> required_of() {
+  if constexpr (requires { B::kRequired; }) {
+    return {std::begin(B::kRequired), std::end(B::kRequired)};
+  }
+  return {};
+}
+
+/// `- say: hello` as `- say: {text: hello}`; anything else as it is.
+[[nodiscard]] config::Node with_main(const config::Node& arguments, const std::string& main);
+
+}  // namespace detail
+
 /// An entry for a behaviour class that has `Settings`, a `visit()` for it found by its namespace,
 /// and the constructor B(const Settings&, const RobotDescription&).
 template <class B>
@@ -37,14 +62,17 @@ BehaviourEntry behaviour_entry(const std::string& name, const std::string& help)
   BehaviourEntry entry;
   entry.name = name;
   entry.help = help;
-  entry.make = [name](const config::Node& arguments, config::Mistakes& mistakes,
-                      const RobotDescription& robot) -> std::unique_ptr<Behaviour> {
+  entry.main = detail::main_of<B>();
+  entry.required = detail::required_of<B>();
+  entry.make = [name, main = entry.main, required = entry.required](
+                   const config::Node& given, config::Mistakes& mistakes,
+                   const RobotDescription& robot) -> std::unique_ptr<Behaviour> {
     typename B::Settings settings;
-    if (arguments.kind != config::Node::Kind::nothing) {
-      config::SettingsReader reader(arguments, name, mistakes);
-      visit(reader, settings);
-      reader.finish();
-    }
+    const config::Node arguments = detail::with_main(given, main);
+    config::SettingsReader reader(arguments, name, mistakes);
+    visit(reader, settings);
+    for (const std::string& key : required) reader.require(key);
+    reader.finish();
     return std::make_unique<B>(settings, robot);
   };
   entry.parameters = [] {

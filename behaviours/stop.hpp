@@ -13,6 +13,8 @@ class Stop : public Behaviour {
   Stop(const Settings& /*settings*/, const RobotDescription& /*robot*/) {}
   void start(const ShortTermMemory& /*memory*/) override {}
   Wish tick(const ShortTermMemory& memory) override;
+  [[nodiscard]] Motors motors() const override { return Motors::wheels; }
+  [[nodiscard]] bool can_fail() const override { return false; }
 };
 
 template <class V>

@@ -26,6 +26,7 @@ class TraverseCorridor : public Behaviour {
   TraverseCorridor(const Settings& settings, const RobotDescription& robot);
   void start(const ShortTermMemory& memory) override;
   Wish tick(const ShortTermMemory& memory) override;
+  [[nodiscard]] bool ends_by_itself() const override { return settings_.distance_m > 0.0; }
   [[nodiscard]] const WayFollower& follower() const { return follower_; }
 
  private:

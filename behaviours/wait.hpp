@@ -12,9 +12,12 @@ class Wait : public Behaviour {
   struct Settings {
     double for_s = 1.0;
   };
+  static constexpr const char* kMain = "for";  ///< `- wait: 3 s`
   Wait(const Settings& settings, const RobotDescription& /*robot*/) : settings_(settings) {}
   void start(const ShortTermMemory& memory) override { started_ = memory.now(); }
   Wish tick(const ShortTermMemory& memory) override;
+  [[nodiscard]] Motors motors() const override { return Motors::nothing; }
+  [[nodiscard]] bool can_fail() const override { return false; }
 
  private:
   Settings settings_;

@@ -10,8 +10,9 @@ namespace striate::config {
 MapReader::MapReader(const Node& node, std::string what, Mistakes& mistakes)
     : node_(node), what_(std::move(what)), mistakes_(mistakes) {
   if (node_.kind != Node::Kind::map && node_.kind != Node::Kind::nothing) {
-    mistakes_.add(node_.place, fmt::format("{} must be a map of 'key: value', but is {}", what_,
-                                           node_.describe()));
+    mistakes_.add(
+        fault::wrong_kind, node_.place,
+        fmt::format("{} must be a map of 'key: value', but is {}", what_, node_.describe()));
   }
 }
 
@@ -23,7 +24,7 @@ const Node* MapReader::raw(const std::string& key) {
 
 bool MapReader::number(const std::string& key, double& target, Unit unit, Range range) {
   const Node* node = raw(key);
-  if (node == nullptr) return false;
+  if (node == nullptr || node->open) return false;
   const auto value = read_quantity(*node, unit, range, mistakes_);
   if (value) target = *value;
   return value.has_value();
@@ -31,11 +32,12 @@ bool MapReader::number(const std::string& key, double& target, Unit unit, Range 
 
 bool MapReader::integer(const std::string& key, int& target, Range range) {
   const Node* node = raw(key);
-  if (node == nullptr) return false;
+  if (node == nullptr || node->open) return false;
   const auto value = read_quantity(*node, Unit::none, range, mistakes_);
   if (!value) return false;
   if (*value != std::floor(*value)) {
-    mistakes_.add(node->place, fmt::format("'{}' is not a whole number", node->text));
+    mistakes_.add(fault::no_number, node->place,
+                  fmt::format("'{}' is not a whole number", node->text));
     return false;
   }
   target = static_cast<int>(*value);
@@ -44,21 +46,22 @@ bool MapReader::integer(const std::string& key, int& target, Range range) {
 
 bool MapReader::flag(const std::string& key, bool& target) {
   const Node* node = raw(key);
-  if (node == nullptr) return false;
+  if (node == nullptr || node->open) return false;
   if (node->kind == Node::Kind::scalar && (node->text == "true" || node->text == "false")) {
     target = node->text == "true";
     return true;
   }
-  mistakes_.add(node->place, fmt::format("{} is neither true nor false", node->describe()),
+  mistakes_.add(fault::unknown_choice, node->place,
+                fmt::format("{} is neither true nor false", node->describe()),
                 "write true or false");
   return false;
 }
 
 bool MapReader::text(const std::string& key, std::string& target) {
   const Node* node = raw(key);
-  if (node == nullptr) return false;
+  if (node == nullptr || node->open) return false;
   if (node->kind != Node::Kind::scalar) {
-    mistakes_.add(node->place,
+    mistakes_.add(fault::wrong_kind, node->place,
                   fmt::format("'{}' must be a word or text, but is {}", key, node->describe()));
     return false;
   }
@@ -68,7 +71,7 @@ bool MapReader::text(const std::string& key, std::string& target) {
 
 bool MapReader::choice(const std::string& key, int& target, const std::vector<std::string>& names) {
   const Node* node = raw(key);
-  if (node == nullptr) return false;
+  if (node == nullptr || node->open) return false;
   const auto found = std::find(names.begin(), names.end(), node->text);
   if (node->kind == Node::Kind::scalar && found != names.end()) {
     target = static_cast<int>(found - names.begin());
@@ -76,17 +79,18 @@ bool MapReader::choice(const std::string& key, int& target, const std::vector<st
   }
   std::string hint = node->kind == Node::Kind::scalar ? suggest(node->text, names) : "";
   if (hint.empty()) hint = fmt::format("allowed: {}", fmt::join(names, ", "));
-  mistakes_.add(node->place, fmt::format("{} is not known as '{}'", node->describe(), key), hint);
+  mistakes_.add(fault::unknown_choice, node->place,
+                fmt::format("{} is not known as '{}'", node->describe(), key), hint);
   return false;
 }
 
 bool MapReader::numbers(const std::string& key, const std::vector<double*>& targets, Unit unit,
                         Range range) {
   const Node* node = raw(key);
-  if (node == nullptr) return false;
+  if (node == nullptr || node->open) return false;
   if (node->kind != Node::Kind::list || node->items.size() != targets.size()) {
     mistakes_.add(
-        node->place,
+        fault::wrong_kind, node->place,
         fmt::format("'{}' must be a list of {} values, but is {}", key, targets.size(),
                     node->kind == Node::Kind::list ? fmt::format("a list of {}", node->items.size())
                                                    : node->describe()),
@@ -105,7 +109,7 @@ bool MapReader::numbers(const std::string& key, const std::vector<double*>& targ
 bool MapReader::require(const std::string& key) {
   if (raw(key) != nullptr) return true;
   if (node_.kind == Node::Kind::map || node_.kind == Node::Kind::nothing) {
-    mistakes_.add(node_.place, fmt::format("{} needs '{}'", what_, key));
+    mistakes_.add(fault::missing_key, node_.place, fmt::format("{} needs '{}'", what_, key));
   }
   return false;
 }
@@ -117,7 +121,8 @@ void MapReader::finish() {
     if (hint.empty() && !known_.empty()) {
       hint = fmt::format("known keys: {}", fmt::join(known_, ", "));
     }
-    mistakes_.add(entry.key_place, fmt::format("unknown key '{}' in {}", entry.key, what_), hint);
+    mistakes_.add(fault::unknown_key, entry.key_place,
+                  fmt::format("unknown key '{}' in {}", entry.key, what_), hint);
   }
 }
 

@@ -32,8 +32,44 @@ std::string blanks_before(const std::string& line, int column) {
 
 }  // namespace
 
-void Mistakes::add(Place place, std::string message, std::string hint) {
-  list_.push_back({place, std::move(message), std::move(hint)});
+void Mistakes::add(Fault fault, Place place, std::string message, std::string hint) {
+  list_.push_back({place, std::move(message), std::move(hint), fault});
+}
+
+void Mistakes::include(const Mistakes& of_used_file) {
+  if (of_used_file.none()) return;
+  std::string text = of_used_file.text();
+  if (std::find(included_.begin(), included_.end(), text) != included_.end()) return;
+  included_.push_back(std::move(text));
+  included_count_ += of_used_file.count();
+}
+
+std::vector<Mistake> Mistakes::take_at(Place place) {
+  std::vector<Mistake> taken;
+  std::erase_if(list_, [&](const Mistake& mistake) {
+    if (mistake.place != place) return false;
+    taken.push_back(mistake);
+    return true;
+  });
+  return taken;
+}
+
+std::string Mistakes::text_of(const Mistake& mistake) const {
+  const Place& place = mistake.place;
+  std::string text = file_;
+  if (place.line > 0) text += fmt::format(":{}:{}", place.line, place.column);
+  text +=
+      letter_ == 0 ? ": error: " : fmt::format(": error[{}{:03}]: ", letter_, mistake.fault.number);
+  text += mistake.message + "\n";
+  const std::string line = place.line > 0 ? line_of(source_, place.line) : std::string();
+  if (!line.empty() && line.size() < 200) {
+    text += fmt::format("    {}\n    {}^\n", line, blanks_before(line, place.column));
+  }
+  if (!mistake.hint.empty()) text += fmt::format("    {}\n", mistake.hint);
+  for (const Note& note : notes_) {
+    if (note.place == place) text += fmt::format("    {}\n", note.text);
+  }
+  return text;
 }
 
 std::string Mistakes::text() const {
@@ -43,27 +79,15 @@ std::string Mistakes::text() const {
                                         : a.place.column < b.place.column;
   });
   std::string text;
-  for (const Mistake& mistake : sorted) {
-    const Place& place = mistake.place;
-    if (place.line == 0) {
-      text += fmt::format("{}: error: {}\n", file_, mistake.message);
-    } else {
-      text +=
-          fmt::format("{}:{}:{}: error: {}\n", file_, place.line, place.column, mistake.message);
-      const std::string line = line_of(source_, place.line);
-      if (!line.empty() && line.size() < 200) {
-        text += fmt::format("    {}\n    {}^\n", line, blanks_before(line, place.column));
-      }
-    }
-    if (!mistake.hint.empty()) text += fmt::format("    {}\n", mistake.hint);
-  }
+  for (const Mistake& mistake : sorted) text += text_of(mistake);
+  for (const std::string& of_used_file : included_) text += of_used_file;
   return text;
 }
 
 void Mistakes::throw_if_any() const {
   if (none()) return;
   std::string message = text();
-  message += fmt::format("{} mistake{} in {}", list_.size(), list_.size() == 1 ? "" : "s", file_);
+  message += fmt::format("{} mistake{} in {}", count(), count() == 1 ? "" : "s", file_);
   throw UserError(message);
 }
 

@@ -3,12 +3,15 @@
 #include <string>
 #include <vector>
 
+#include "config/fault.hpp"
+
 namespace striate::config {
 
 /// A place in a configuration file; line and column count from 1, 0 means the file as a whole.
 struct Place {
   int line = 0;
   int column = 0;
+  bool operator==(const Place&) const = default;
 };
 
 /// One mistake of the user's: what is wrong, where, and how to mend it.
@@ -16,29 +19,53 @@ struct Mistake {
   Place place;
   std::string message;  ///< e.g. "unknown key 'lenght'"
   std::string hint;     ///< e.g. "did you mean 'length'?"; may be empty
+  Fault fault;
 };
 
 /// Collects every mistake of one file, so that all are told in one pass.
 class Mistakes {
  public:
-  explicit Mistakes(std::string file) : file_(std::move(file)) {}
-  void add(Place place, std::string message, std::string hint = {});
-  [[nodiscard]] bool none() const { return list_.empty(); }
+  /// @param letter of the fault numbers: 'T' shows them as error[T014]; 0 shows none.
+  explicit Mistakes(std::string file, char letter = 0) : file_(std::move(file)), letter_(letter) {}
+  void add(Place place, std::string message, std::string hint = {}) {
+    add(fault::other, place, std::move(message), std::move(hint));
+  }
+  void add(Fault fault, Place place, std::string message, std::string hint = {});
+  /// Takes in what is wrong with a file that this one uses; the same text is told once.
+  void include(const Mistakes& of_used_file);
+  /// Takes out the mistakes at that place, for who tells them elsewhere.
+  [[nodiscard]] std::vector<Mistake> take_at(Place place);
+  /// Says under every mistake at that place where its value comes from.
+  void note(Place place, std::string text) { notes_.push_back({place, std::move(text)}); }
+  /// All of this file and of those that it uses.
+  [[nodiscard]] std::size_t count() const { return list_.size() + included_count_; }
+  [[nodiscard]] bool none() const { return count() == 0; }
   [[nodiscard]] const std::vector<Mistake>& list() const { return list_; }
   [[nodiscard]] const std::string& file() const { return file_; }
+  [[nodiscard]] char letter() const { return letter_; }
   void set_source(std::string text) { source_ = std::move(text); }
 
   /// All mistakes in the order of their places: `file:line:column: error: message`, the line
-  /// itself with a caret, and the hint.
+  /// itself with a caret, and the hint; then those of the files that it uses.
   [[nodiscard]] std::string text() const;
 
   /// Throws UserError with text() unless there are none.
   void throw_if_any() const;
 
  private:
+  struct Note {
+    Place place;
+    std::string text;
+  };
+  [[nodiscard]] std::string text_of(const Mistake& mistake) const;
+
   std::string file_;
+  char letter_ = 0;
   std::string source_;
   std::vector<Mistake> list_;
+  std::vector<Note> notes_;
+  std::vector<std::string> included_;
+  std::size_t included_count_ = 0;
 };
 
 }  // namespace striate::config

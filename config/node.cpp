@@ -1,144 +1,19 @@
 #include "config/node.hpp"
 
 #include <fmt/format.h>
-#include <yaml-cpp/eventhandler.h>
 #include <yaml-cpp/exceptions.h>
-#include <yaml-cpp/mark.h>
 #include <yaml-cpp/parser.h>
 
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 
+#include "config/tree_builder.hpp"
+
 namespace striate::config {
 namespace {
 
 constexpr std::size_t kMaxBytes = 1'000'000;
-constexpr int kMaxDepth = 32;
-
-/// Thrown where reading on makes no sense; the mistake is noted already.
-struct GiveUp {};
-
-Place place_of(const YAML::Mark& mark) {
-  return {mark.line + 1, mark.column + 1};
-}
-
-/// Builds the tree from parser events, because the library's own tree forgets duplicate keys,
-/// expands alias bombs and reads 010 as 8.
-class TreeBuilder final : public YAML::EventHandler {
- public:
-  explicit TreeBuilder(Mistakes& mistakes) : mistakes_(mistakes) {}
-  Node take() { return std::move(root_); }
-
-  void OnDocumentStart(const YAML::Mark&) override {}
-  void OnDocumentEnd() override {}
-  void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override {
-    refuse_anchor(mark, anchor);
-    Node node;
-    node.place = place_of(mark);
-    put(std::move(node));
-  }
-  void OnAlias(const YAML::Mark& mark, YAML::anchor_t) override {
-    mistakes_.add(place_of(mark), "aliases (*name) are not allowed",
-                  "write the value out where it is needed");
-    throw GiveUp{};
-  }
-  void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
-                const std::string& value) override {
-    refuse_anchor(mark, anchor);
-    refuse_tag(mark, tag);
-    Node node;
-    node.kind = Node::Kind::scalar;
-    node.place = place_of(mark);
-    node.text = value;
-    node.quoted = tag == "!";
-    put(std::move(node));
-  }
-  void OnSequenceStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
-                       YAML::EmitterStyle::value) override {
-    open(Node::Kind::list, mark, tag, anchor);
-  }
-  void OnSequenceEnd() override { close(); }
-  void OnMapStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
-                  YAML::EmitterStyle::value) override {
-    open(Node::Kind::map, mark, tag, anchor);
-  }
-  void OnMapEnd() override { close(); }
-
- private:
-  struct Level {
-    Node node;
-    bool key_is_next = true;
-    std::string key;
-    Place key_place;
-  };
-
-  void refuse_anchor(const YAML::Mark& mark, YAML::anchor_t anchor) {
-    if (anchor == 0) return;
-    mistakes_.add(place_of(mark), "anchors (&name) are not allowed",
-                  "write the value out where it is needed");
-    throw GiveUp{};
-  }
-
-  void refuse_tag(const YAML::Mark& mark, const std::string& tag) {
-    if (tag.empty() || tag == "?" || tag == "!") return;
-    mistakes_.add(place_of(mark), fmt::format("tags ('{}') are not allowed", tag),
-                  "leave the tag away");
-  }
-
-  void open(Node::Kind kind, const YAML::Mark& mark, const std::string& tag,
-            YAML::anchor_t anchor) {
-    refuse_anchor(mark, anchor);
-    refuse_tag(mark, tag);
-    if (static_cast<int>(levels_.size()) >= kMaxDepth) {
-      mistakes_.add(place_of(mark), fmt::format("nested deeper than {} levels", kMaxDepth),
-                    "split it into several files");
-      throw GiveUp{};
-    }
-    Level level;
-    level.node.kind = kind;
-    level.node.place = place_of(mark);
-    levels_.push_back(std::move(level));
-  }
-
-  void close() {
-    Node node = std::move(levels_.back().node);
-    levels_.pop_back();
-    put(std::move(node));
-  }
-
-  void put(Node node) {
-    if (levels_.empty()) {
-      root_ = std::move(node);
-      return;
-    }
-    Level& level = levels_.back();
-    if (level.node.kind == Node::Kind::list) {
-      level.node.items.push_back(std::move(node));
-    } else if (level.key_is_next) {
-      take_key(level, node);
-    } else {
-      level.node.entries.push_back({level.key, level.key_place, std::move(node)});
-      level.key_is_next = true;
-    }
-  }
-
-  void take_key(Level& level, const Node& node) {
-    if (node.kind != Node::Kind::scalar) {
-      mistakes_.add(node.place, "a key must be a plain word", "");
-    } else if (const Node::Entry* earlier = level.node.find(node.text)) {
-      mistakes_.add(node.place, fmt::format("duplicate key '{}'", node.text),
-                    fmt::format("it stands already in line {}", earlier->key_place.line));
-    }
-    level.key = node.text;
-    level.key_place = node.place;
-    level.key_is_next = false;
-  }
-
-  Mistakes& mistakes_;
-  Node root_;
-  std::vector<Level> levels_;
-};
 
 }  // namespace
 
@@ -166,30 +41,31 @@ std::string Node::describe() const {
 Node parse_yaml(const std::string& text, Mistakes& mistakes) {
   mistakes.set_source(text);
   if (text.size() > kMaxBytes) {
-    mistakes.add({}, "the file is larger than 1 MB", "configuration files are small; split it");
+    mistakes.add(fault::unreadable, {}, "the file is larger than 1 MB",
+                 "configuration files are small; split it");
     return {};
   }
   if (text.find('\0') != std::string::npos) {
-    mistakes.add({}, "the file holds zero bytes: it is no text file");
+    mistakes.add(fault::unreadable, {}, "the file holds zero bytes: it is no text file");
     return {};
   }
   std::istringstream stream(text);
-  TreeBuilder builder(mistakes);
+  TreeBuilder builder(text, mistakes);
   try {
     YAML::Parser parser(stream);
     if (!parser.HandleNextDocument(builder)) {
-      mistakes.add({}, "the file is empty");
+      mistakes.add(fault::unreadable, {}, "the file is empty");
       return {};
     }
     Node root = builder.take();
-    TreeBuilder second(mistakes);
+    TreeBuilder second(text, mistakes);
     if (parser.HandleNextDocument(second)) {
-      mistakes.add(second.take().place, "a second YAML document begins here",
+      mistakes.add(fault::not_allowed, second.take().place, "a second YAML document begins here",
                    "keep one document in a file: remove the line ---");
     }
     return root;
   } catch (const YAML::Exception& error) {
-    mistakes.add(place_of(error.mark), "not readable as YAML: " + error.msg,
+    mistakes.add(fault::unreadable, place_of(error.mark), "not readable as YAML: " + error.msg,
                  "look at indentation, colons and brackets here and in the line before");
   } catch (const GiveUp&) {
     return {};
@@ -201,18 +77,19 @@ Node load_yaml(Mistakes& mistakes) {
   const std::filesystem::path path(mistakes.file());
   std::error_code code;
   if (!std::filesystem::exists(path, code)) {
-    mistakes.add({}, "there is no such file", "look at the path; it is relative to where you are");
+    mistakes.add(fault::unreadable, {}, "there is no such file",
+                 "look at the path; it is relative to where you are");
     return {};
   }
   if (!std::filesystem::is_regular_file(path, code)) {
-    mistakes.add({}, "this is no file", "give the path of a YAML file");
+    mistakes.add(fault::unreadable, {}, "this is no file", "give the path of a YAML file");
     return {};
   }
   std::ifstream stream(path, std::ios::binary);
   std::string text(kMaxBytes + 1, '\0');
   stream.read(text.data(), static_cast<std::streamsize>(text.size()));
   if (stream.bad() || !stream.is_open()) {
-    mistakes.add({}, "the file cannot be read", "look at its permissions");
+    mistakes.add(fault::unreadable, {}, "the file cannot be read", "look at its permissions");
     return {};
   }
   text.resize(static_cast<std::size_t>(stream.gcount()));

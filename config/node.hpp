@@ -17,6 +17,7 @@ struct Node {
   Place place;
   std::string text;            ///< of a scalar
   bool quoted = false;         ///< the scalar stood in quotes: never a number
+  bool open = false;           ///< a scalar that is given later: fits every type for now
   std::vector<Node> items;     ///< of a list
   std::vector<Entry> entries;  ///< of a map
 
@@ -32,7 +33,7 @@ struct Node::Entry {
 };
 
 /// Reads YAML text strictly: duplicate keys, anchors, aliases, tags, several documents, more than
-/// 1 MB, and more than 32 levels are mistakes. Returns the root, of kind nothing if unreadable.
+/// 1 MB, 32 levels or 20,000 values are mistakes. Returns the root, of kind nothing if unreadable.
 Node parse_yaml(const std::string& text, Mistakes& mistakes);
 
 /// Reads a file; adds a mistake where it cannot be read.

@@ -21,6 +21,10 @@ void SettingsPrinter::flag(const char* key, bool& field, const char* help) {
   lines_.push_back({prefix_ + key, field ? "true" : "false", "true, false", help});
 }
 
+void SettingsPrinter::text(const char* key, std::string& field, const char* help) {
+  lines_.push_back({prefix_ + key, field, "any text", help});
+}
+
 void SettingsPrinter::add_choice(const char* key, int index, const std::vector<std::string>& names,
                                  const char* help) {
   lines_.push_back({prefix_ + key, names.at(static_cast<std::size_t>(index)),

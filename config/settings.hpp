@@ -29,6 +29,7 @@ class SettingsReader {
     map_.integer(key, field, range);
   }
   void flag(const char* key, bool& field, const char* /*help*/) { map_.flag(key, field); }
+  void text(const char* key, std::string& field, const char* /*help*/) { map_.text(key, field); }
   template <class Enum>
   void choice(const char* key, Enum& field, const std::vector<std::string>& names,
               const char* /*help*/) {
@@ -44,6 +45,7 @@ class SettingsReader {
       inner.finish();
     }
   }
+  bool require(const std::string& key) { return map_.require(key); }
   void finish() { map_.finish(); }
 
  private:
@@ -65,6 +67,7 @@ class SettingsPrinter {
   void number(const char* key, double& field, Unit unit, Range range, const char* help);
   void integer(const char* key, int& field, Range range, const char* help);
   void flag(const char* key, bool& field, const char* help);
+  void text(const char* key, std::string& field, const char* help);
   template <class Enum>
   void choice(const char* key, Enum& field, const std::vector<std::string>& names,
               const char* help) {

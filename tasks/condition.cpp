@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+
+#include "tasks/fault.hpp"
 
 namespace striate {
 namespace {
@@ -51,43 +54,112 @@ struct Light {
   static double of(const ShortTermMemory& memory) { return memory.light_level(); }
 };
 
+struct Noise {
+  static double of(const ShortTermMemory& memory) { return memory.noise_level() / 255.0; }
+};
+struct PictureAge {
+  static double of(const ShortTermMemory& memory) { return memory.picture_age_s(); }
+};
+struct SeenShare {
+  static double of(const ShortTermMemory& memory) { return memory.seen_share(); }
+};
+/// Before the corridor has been measured no width holds.
+template <int kIfUnknown_m>
+struct Width {
+  static double of(const ShortTermMemory& memory) {
+    const CorridorMemory& corridor = memory.corridor();
+    return corridor.width_known() ? corridor.width_m() : kIfUnknown_m;
+  }
+};
+/// Share of the charge: from where the safety limiter stands still to a full lead-acid battery,
+/// along a straight line. Full where the body does not tell.
+struct Charge {
+  static double of(const ShortTermMemory& memory) {
+    constexpr double kEmpty_v = 10.8;
+    constexpr double kFull_v = 12.7;
+    if (memory.battery_v() <= 0.0) return 1.0;
+    return std::clamp((memory.battery_v() - kEmpty_v) / (kFull_v - kEmpty_v), 0.0, 1.0);
+  }
+};
+
+/// Holds once the robot has stood still for so long, counted from the start at the earliest.
+class StandsFor final : public Condition {
+ public:
+  explicit StandsFor(double limit_s) : limit_s_(limit_s) {}
+  void start(const ShortTermMemory& memory) override { moved_ = memory.now(); }
+  [[nodiscard]] bool holds(const ShortTermMemory& memory) const override {
+    const bool moves =
+        std::abs(memory.forward_m_s()) > 0.01 || std::abs(memory.turn_rad_s()) > 0.02;
+    if (moves) moved_ = memory.now();
+    return to_seconds(memory.now() - moved_) >= limit_s_;
+  }
+
+ private:
+  double limit_s_;
+  mutable TimePoint moved_;  ///< the newest cycle in which it moved
+};
+
 template <class Kind>
 std::unique_ptr<Condition> make(double value) {
   return std::make_unique<Kind>(value);
 }
+template <class Figure>
+constexpr auto at_least = make<Compared<Figure, true>>;
+template <class Figure>
+constexpr auto at_most = make<Compared<Figure, false>>;
+
+constexpr config::Range kLength_m{0.0, 100000.0};
+constexpr config::Range kDay_s{0.0, 86400.0};
+constexpr config::Range kShare{0.0, 1.0};
 
 }  // namespace
 
 const std::vector<ConditionEntry>& condition_registry() {
   static const std::vector<ConditionEntry> registry = {
-      {"travelled",
-       "driven so far since the action began, by odometry",
-       Unit::length,
-       {0.0, 100000.0},
-       make<GrownBy<Travelled>>},
+      {"travelled", "driven so far since the step began, by odometry", Unit::length, kLength_m,
+       "58 m", make<GrownBy<Travelled>>},
       {"progress",
-       "got on along the corridor's axis since the mission began",
+       "got on at least so far along the corridor since the mission began",
        Unit::length,
        {-100000.0, 100000.0},
-       make<Compared<ProgressMade, true>>},
-      {"after", "time since the action began", Unit::duration, {0.0, 86400.0}, make<GrownBy<Time>>},
-      {"light_below",
-       "the picture is darker than this",
-       Unit::fraction,
-       {0.0, 1.0},
-       make<Compared<Light, false>>},
-      {"light_above",
-       "the picture is brighter than this",
-       Unit::fraction,
-       {0.0, 1.0},
-       make<Compared<Light, true>>},
+       "44 m",
+       at_least<ProgressMade>},
+      {"progress_below",
+       "got on no further than this: for the way back",
+       Unit::length,
+       {-100000.0, 100000.0},
+       "0.5 m",
+       at_most<ProgressMade>},
+      {"after", "time since the step began", Unit::duration, kDay_s, "20 s", make<GrownBy<Time>>},
+      {"stands_for", "has not moved for so long", Unit::duration, kDay_s, "30 s", make<StandsFor>},
+      {"light_below", "the picture is darker than this", Unit::fraction, kShare, "20 %",
+       at_most<Light>},
+      {"light_above", "the picture is brighter than this", Unit::fraction, kShare, "60 %",
+       at_least<Light>},
+      {"noise_above", "the picture's noise, of full scale, is more than this", Unit::fraction,
+       kShare, "2 %", at_least<Noise>},
+      {"picture_older_than", "the newest picture is older than this", Unit::duration, kDay_s,
+       "250 ms", at_least<PictureAge>},
+      {"sees_less_than", "the share of the view that tells any distance, slowly averaged, is less",
+       Unit::fraction, kShare, "30 %", at_most<SeenShare>},
+      {"corridor_wider_than", "the corridor, once measured, is wider than this", Unit::length,
+       kLength_m, "3 m", at_least<Width<0>>},
+      {"corridor_narrower_than", "the corridor, once measured, is narrower than this", Unit::length,
+       kLength_m, "1.5 m", at_most<Width<1000000>>},
+      {"battery_below", "the battery's charge, judged by its voltage, is less than this",
+       Unit::fraction, kShare, "20 %", at_most<Charge>},
   };
   return registry;
 }
 
+std::string condition_text(const config::Node& node) {
+  if (node.kind != config::Node::Kind::map || node.entries.size() != 1) return {};
+  return fmt::format("{}: {}", node.entries.front().key, node.entries.front().value.text);
+}
+
 std::unique_ptr<Condition> read_condition(const config::Node& node, config::Mistakes& mistakes) {
   if (node.kind != config::Node::Kind::map || node.entries.size() != 1) {
-    mistakes.add(node.place,
+    mistakes.add(fault::bad_condition, node.place,
                  fmt::format("a condition must be one 'name: value', but is {}", node.describe()),
                  "write {travelled: 58 m}");
     return nullptr;
@@ -101,8 +173,9 @@ std::unique_ptr<Condition> read_condition(const config::Node& node, config::Mist
     names.reserve(registry.size());
     for (const ConditionEntry& known : registry) names.push_back(known.name);
     std::string hint = config::suggest(entry.key, names);
-    if (hint.empty()) hint = fmt::format("known: {}", fmt::join(names, ", "));
-    mistakes.add(entry.key_place, fmt::format("unknown condition '{}'", entry.key), hint);
+    if (hint.empty()) hint = "'striate task actions' lists what there is";
+    mistakes.add(fault::unknown_condition, entry.key_place,
+                 fmt::format("unknown condition '{}'", entry.key), hint);
     return nullptr;
   }
   const auto value = config::read_quantity(entry.value, found->unit, found->range, mistakes);

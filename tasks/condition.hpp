@@ -19,12 +19,14 @@ class Condition {
   [[nodiscard]] virtual bool holds(const ShortTermMemory& memory) const = 0;
 };
 
-/// One kind of condition that scripts can name, e.g. `{travelled: 58 m}`.
+/// One kind of condition that scripts can name in `until`, `only_if`, `unless` and `always`, e.g.
+/// `{travelled: 58 m}`.
 struct ConditionEntry {
   std::string name;
   std::string help;
   config::Unit unit;
   config::Range range;
+  std::string example;  ///< a value: "58 m"
   std::unique_ptr<Condition> (*make)(double value_si);
 };
 
@@ -32,5 +34,8 @@ struct ConditionEntry {
 
 /// Reads `{name: value}`; nullptr with mistakes added where that fails.
 std::unique_ptr<Condition> read_condition(const config::Node& node, config::Mistakes& mistakes);
+
+/// "name: value" as written, for people; empty where the node is no condition.
+[[nodiscard]] std::string condition_text(const config::Node& node);
 
 }  // namespace striate

@@ -1,65 +1,60 @@
 #include "tasks/executive.hpp"
 
+#include <stdexcept>
+#include <utility>
+
 namespace striate {
 namespace {
 
-/// A `finally` that does not end must not keep the robot for ever.
-constexpr Duration kFinallyLimit = std::chrono::seconds(30);
+MissionState state_of(Outcome outcome) {
+  switch (outcome) {
+    case Outcome::running:
+      return MissionState::running;
+    case Outcome::failed:
+      return MissionState::failed;
+    case Outcome::succeeded:
+    case Outcome::skipped:
+      break;
+  }
+  return MissionState::succeeded;
+}
 
 }  // namespace
 
-Executive::Executive(Task task)
-    : task_(std::move(task)), steps_(task_.steps), finally_(task_.finally, true) {}
+Executive::Executive(Task task) : task_(std::move(task)) {
+  if (!task_.root) throw std::logic_error("an executive needs a task with a tree");
+}
 
 Wish Executive::tick(const ShortTermMemory& memory, TimePoint now) {
-  Wish wish = standing_wish(memory, "");
-  if (phase_ == Phase::doing) {
-    const Outcome outcome = steps_.tick(memory, now, wish);
-    if (outcome != Outcome::running) {
-      reason_ = steps_.reason();
-      begin_finally(outcome == Outcome::succeeded ? MissionState::succeeded : MissionState::failed,
-                    now);
-    }
-  } else if (phase_ == Phase::halting) {
-    if (steps_.halt(memory, wish)) begin_finally(interrupted_as_, now);
-  } else if (phase_ == Phase::finally) {
-    tick_finally(memory, now, wish);
+  TaskCycle cycle(memory, now, reason_, ++cycles_);
+  if (!ended_) advance(cycle);
+  doing_ = cycle.doing();
+  owner_ = cycle.paused() && doing_.empty() ? MotorOwner::guard : MotorOwner::behaviour;
+  return cycle.wish();
+}
+
+void Executive::advance(TaskCycle& cycle) {
+  task_.root->begin(cycle);
+  if (interrupted_) {
+    ended_ = task_.root->halt(cycle);
+    if (task_.root->steps_outcome() != Outcome::running) state_ = interrupted_as_;
+    return;
   }
-  return wish;
-}
-
-void Executive::begin_finally(MissionState state, TimePoint now) {
-  state_ = state;
-  finally_since_ = now;
-  phase_ = Phase::finally;
-}
-
-void Executive::tick_finally(const ShortTermMemory& memory, TimePoint now, Wish& wish) {
-  const bool too_long = now - finally_since_ > kFinallyLimit;
-  const bool over =
-      too_long ? finally_.halt(memory, wish) : finally_.tick(memory, now, wish) != Outcome::running;
-  if (over) phase_ = Phase::ended;
+  ended_ = task_.root->tick(cycle) != Outcome::running;
+  state_ = state_of(task_.root->steps_outcome());
 }
 
 void Executive::interrupt(MissionState as, std::string reason) {
-  if (phase_ != Phase::doing) return;
+  // What has ended already has ended, `finally` is on its way.
+  if (ended_ || interrupted_ || state_ != MissionState::running) return;
+  interrupted_ = true;
   interrupted_as_ = as;
-  reason_ = std::move(reason);
-  phase_ = Phase::halting;
+  interrupted_why_ = std::move(reason);
 }
 
-std::string Executive::current_action() const {
-  switch (phase_) {
-    case Phase::doing:
-      return steps_.current_action();
-    case Phase::halting:
-      return "halting";
-    case Phase::finally:
-      return finally_.current_action();
-    case Phase::ended:
-      break;
-  }
-  return "";
+std::string Executive::reason() const {
+  if (interrupted_) return interrupted_why_;
+  return state_ == MissionState::succeeded ? std::string() : std::string(reason_.view());
 }
 
 }  // namespace striate

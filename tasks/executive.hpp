@@ -1,18 +1,21 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
-#include "tasks/sequence.hpp"
+#include "behaviours/arbiter.hpp"
+#include "tasks/task.hpp"
 
 namespace striate {
 
 /// How a mission stands.
 enum class MissionState { running, succeeded, failed, interrupted };
 
-/// Runs a task: its steps, and after every ending, also after an interruption, its `finally`.
-/// One wish a cycle; one motor owner at any time.
+/// Runs a task: its tree, and after every ending, also after an interruption, its `finally`.
+/// One wish a cycle; one motor owner at any time. Ticking allocates nothing.
 class Executive {
  public:
+  /// @throws std::logic_error for a task without a tree.
   explicit Executive(Task task);
   Executive(const Executive&) = delete;
   Executive& operator=(const Executive&) = delete;
@@ -20,30 +23,32 @@ class Executive {
   /// One cycle. The wish is stop once the mission has ended.
   Wish tick(const ShortTermMemory& memory, TimePoint now);
 
-  /// Ends the mission from outside (Ctrl-C, end of the course): halts the action, then `finally`.
+  /// Ends the mission from outside (Ctrl-C, end of the course): halts the actions, then `finally`.
   void interrupt(MissionState as, std::string reason);
 
-  [[nodiscard]] bool ended() const { return phase_ == Phase::ended; }
+  [[nodiscard]] bool ended() const { return ended_; }
   /// How the steps ended; final once `ended()`.
   [[nodiscard]] MissionState state() const { return state_; }
-  [[nodiscard]] const std::string& reason() const { return reason_; }
-  [[nodiscard]] std::string current_action() const;
+  [[nodiscard]] std::string reason() const;
+  /// The action that ran in the last cycle; "" when none did.
+  [[nodiscard]] std::string_view current_action() const { return doing_; }
+  /// Who wished in the last cycle: a guard while it holds the robot still.
+  [[nodiscard]] MotorOwner owner() const { return owner_; }
   [[nodiscard]] const Task& task() const { return task_; }
 
  private:
-  enum class Phase { doing, halting, finally, ended };
-
-  void begin_finally(MissionState state, TimePoint now);
-  void tick_finally(const ShortTermMemory& memory, TimePoint now, Wish& wish);
+  void advance(TaskCycle& cycle);
 
   Task task_;
-  Sequence steps_;
-  Sequence finally_;
-  Phase phase_ = Phase::doing;
   MissionState state_ = MissionState::running;
+  bool interrupted_ = false;
   MissionState interrupted_as_ = MissionState::running;
-  TimePoint finally_since_;
-  std::string reason_;
+  bool ended_ = false;
+  long cycles_ = 0;
+  std::string interrupted_why_;
+  Reason reason_;
+  std::string_view doing_;
+  MotorOwner owner_ = MotorOwner::behaviour;
 };
 
 }  // namespace striate

@@ -1,33 +1,47 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <fstream>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "app/commands/action_list.hpp"
 #include "app/commands/commands.hpp"
 #include "app/robot_settings.hpp"
-#include "behaviours/registry.hpp"
-#include "config/node.hpp"
 #include "config/user_error.hpp"
 #include "platform/simulator/world_reader.hpp"
-#include "tasks/condition.hpp"
 #include "tasks/task_reader.hpp"
 
 namespace striate {
 namespace {
 
-/// Tells a world, a task script and robot settings apart by their first key.
+enum class Kind { world, task, settings };
+
+/// Tells a world, a task script and robot settings apart by their keys at the left edge; also where
+/// the rest is not readable as YAML.
+Kind kind_of(const std::string& file) {
+  std::ifstream stream(file);
+  std::string line;
+  Kind kind = Kind::settings;
+  for (int i = 0; i < 10000 && std::getline(stream, line); ++i) {
+    if (line.rfind("striate_world:", 0) == 0) return Kind::world;
+    if (line.rfind("striate:", 0) == 0 || line.rfind("do:", 0) == 0) kind = Kind::task;
+  }
+  return kind;
+}
+
 void check_file(const std::string& file) {
-  config::Mistakes mistakes(file);
-  const config::Node root = load_yaml(mistakes);
-  mistakes.throw_if_any();
-  if (root.find("striate_world") != nullptr) {
-    (void)simulator::load_world(file);
-  } else if (root.find("striate") != nullptr || root.find("do") != nullptr) {
-    (void)load_task(file, RobotDescription{});
-  } else {
-    (void)load_robot_settings(file);
+  switch (std::filesystem::is_regular_file(file) ? kind_of(file) : Kind::settings) {
+    case Kind::world:
+      (void)simulator::load_world(file);
+      break;
+    case Kind::task:
+      (void)check_task(file, RobotDescription{});
+      break;
+    case Kind::settings:
+      (void)load_robot_settings(file);
+      break;
   }
 }
 
@@ -45,22 +59,6 @@ int check_files(const std::vector<std::string>& files) {
   return bad == 0 ? 0 : 2;
 }
 
-void print_actions() {
-  fmt::print("Actions:\n");
-  for (const BehaviourEntry& behaviour : behaviour_registry()) {
-    fmt::print("  {}: {}\n", behaviour.name, behaviour.help);
-    for (const config::SettingLine& line : behaviour.parameters()) {
-      fmt::print("      {}: {}   {} ({})\n", line.key, line.value, line.help, line.allowed);
-    }
-  }
-  fmt::print("\nConditions for 'until':\n");
-  for (const ConditionEntry& condition : condition_registry()) {
-    fmt::print("  {}: {} ({} .. {})\n", condition.name, condition.help,
-               config::print_quantity(condition.range.low, condition.unit),
-               config::print_quantity(condition.range.high, condition.unit));
-  }
-}
-
 }  // namespace
 
 void add_check_command(CLI::App& app, int& exit_code) {
@@ -75,9 +73,9 @@ void add_check_command(CLI::App& app, int& exit_code) {
       "mistake with its file, line and column. Exit code 2 if there is one.");
   command->add_option("files", options->files, "YAML files");
   command->add_flag("--actions", options->actions,
-                    "lists the actions and conditions that a task script can use");
+                    "lists what a task script can use, as 'striate task actions' does");
   command->callback([options, &exit_code] {
-    if (options->actions) print_actions();
+    if (options->actions) fmt::print("{}", actions_as_text());
     if (!options->actions && options->files.empty()) {
       throw UserError("nothing to check: name one or more YAML files, or give --actions");
     }

@@ -37,6 +37,18 @@ std::string status_text(const Mission& mission) {
       doing);
 }
 
+/// What the task says is shown once, as a line that stays.
+void tell_what_is_said(const Mission& mission, std::string& said, StatusLine& status) {
+  if (mission.executive().current_action() != "say") {
+    said.clear();
+    return;
+  }
+  const std::string_view words = mission.cycle().trace().wish.why.view();
+  if (words == said) return;
+  said = words;
+  status.tell(said);
+}
+
 void print_summary(const RunResult& result, const RunOptions& options) {
   fmt::print("{} in {}, seed {}: {}{}\n", result.task, result.world, result.seed, result.outcome,
              result.reason.empty() ? "" : " (" + result.reason + ")");
@@ -71,8 +83,10 @@ int run(const RunOptions& given) {
   Mission mission(options.mission);
   MissionPictures pictures(options.pictures, options.picture_every);
   StatusLine status(options.quiet || options.json);
+  std::string said;
   const RunResult result = mission.run([&](const Mission& running) {
     pictures.take(running);
+    tell_what_is_said(running, said, status);
     if (status.due()) status.show(status_text(running));
     return Interrupt::requested();
   });

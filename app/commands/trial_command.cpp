@@ -1,13 +1,51 @@
+#include <fmt/format.h>
+
+#include <cstdio>
 #include <memory>
 
 #include "app/commands/commands.hpp"
 #include "app/trial/trial.hpp"
+#include "app/trial/trial_merge.hpp"
+#include "config/user_error.hpp"
 
 namespace striate {
+namespace {
+
+/// "2/3" as shard 2 of 3.
+void read_shard(const std::string& text, TrialOptions& options) {
+  if (text.empty()) return;
+  int end = 0;
+  const int count = std::sscanf(text.c_str(), "%d/%d%n", &options.shard, &options.shards, &end);
+  if (count == 2 && end == static_cast<int>(text.size()) && options.shard >= 1 &&
+      options.shard <= options.shards) {
+    return;
+  }
+  throw UserError(
+      fmt::format("'--shard {}' is no part of a whole\n    write 1/3, 2/3 or 3/3", text));
+}
+
+void add_merge(CLI::App& trial, int& exit_code) {
+  auto folders = std::make_shared<std::vector<std::string>>();
+  auto out = std::make_shared<std::string>();
+  CLI::App* merge = trial.add_subcommand("merge", "joins the shards of a trial into one table");
+  merge->add_option("folders", *folders, "the --out folders of the shards")->required();
+  merge->add_option("--out", *out, "folder for runs.csv and table.md of all")->required();
+  merge->callback([folders, out, &exit_code] { exit_code = merge_trials(*folders, *out); });
+}
+
+void check_given(const TrialOptions& options) {
+  if (!options.worlds.empty() && !options.out.empty()) return;
+  throw UserError(
+      "a trial needs --worlds and --out\n"
+      "    e.g. striate trial --worlds config/worlds/corridor_a.yaml --runs 20 --out out/trial");
+}
+
+}  // namespace
 
 void add_trial_command(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<TrialOptions>();
   auto no_emergency = std::make_shared<bool>(false);
+  auto shard = std::make_shared<std::string>();
   CLI::App* command = app.add_subcommand(
       "trial",
       "Runs a mission many times in several worlds and prints the table of successes.\n"
@@ -15,7 +53,6 @@ void add_trial_command(CLI::App& app, int& exit_code) {
       "Example: striate trial --worlds config/worlds/corridor_a.yaml,config/worlds/corridor_b.yaml "
       "--runs 20 --jobs 2 --out out/trial");
   command->add_option("--worlds", options->worlds, "world files, separated by commas")
-      ->required()
       ->delimiter(',');
   command->add_option("--task", options->task, "the task script")->capture_default_str();
   command->add_option("--robot", options->robot, "settings of the robot and its mind");
@@ -27,12 +64,18 @@ void add_trial_command(CLI::App& app, int& exit_code) {
       ->capture_default_str();
   command->add_option("--first-seed", options->first_seed, "seed of the first run")
       ->capture_default_str();
-  command->add_option("--out", options->out, "folder for runs.csv, table.md and the results")
-      ->required();
+  command->add_option("--out", options->out, "folder for runs.csv, table.md and the results");
+  command->add_option("--shard", *shard,
+                      "i/n: only every n-th run, for n machines; 'striate trial merge' joins them");
   command->add_flag("--no-emergency", *no_emergency,
                     "sonar and laser do nothing: vision alone keeps the robot from touching");
   command->add_flag("--quiet", options->quiet, "no progress bar");
-  command->callback([options, no_emergency, &exit_code] {
+  command->require_subcommand(0, 1);
+  add_merge(*command, exit_code);
+  command->callback([command, options, no_emergency, shard, &exit_code] {
+    if (!command->get_subcommands().empty()) return;  // merge has been run
+    check_given(*options);
+    read_shard(*shard, *options);
     options->emergency_layer = !*no_emergency;
     exit_code = run_trial(*options);
   });

@@ -80,7 +80,7 @@ class Trial {
         Interrupt::requested);
     status_.clear();
     write();
-    fmt::print("{}", trial_table(done()));
+    fmt::print("{}{}", trial_table(done()), replay_commands(done(), options_.robot));
     if (Interrupt::requested()) {
       fmt::print("\ninterrupted: {} of {} runs are done; the same command goes on from here\n",
                  done().size(), runs_.size());

@@ -12,8 +12,10 @@ std::string world_name(const std::string& file) {
 
 std::vector<TrialRun> plan_trial(const TrialOptions& options) {
   std::vector<TrialRun> runs;
+  int number = 0;
   for (const std::string& world : options.worlds) {
     for (int i = 0; i < options.runs; ++i) {
+      if (number++ % options.shards != options.shard - 1) continue;
       const std::uint64_t seed = options.first_seed + static_cast<std::uint64_t>(i);
       const std::string file =
           fmt::format("{}/runs/{}_seed{:03d}.json", options.out, world_name(world), seed);

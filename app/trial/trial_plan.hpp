@@ -16,6 +16,8 @@ struct TrialOptions {
   std::uint64_t first_seed = 1;
   bool emergency_layer = true;
   std::string out;
+  int shard = 1;   ///< which part of the runs, 1 .. shards
+  int shards = 1;  ///< over how many machines they are split
   bool quiet = false;
 };
 
@@ -26,7 +28,8 @@ struct TrialRun {
   std::string result_file;  ///< JSON, written by the run itself
 };
 
-/// All runs in the order of the table: worlds as named, seeds upwards.
+/// All runs of this shard in the order of the table: worlds as named, seeds upwards. Every n-th run
+/// is the shard's, so that each machine has its share of each world.
 [[nodiscard]] std::vector<TrialRun> plan_trial(const TrialOptions& options);
 
 /// The command line of one run, program first.

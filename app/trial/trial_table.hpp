@@ -23,4 +23,9 @@ struct Interval {
 /// then the collisions by what was hit. Markdown, so that it can stand in a README.
 [[nodiscard]] std::string trial_table(const std::vector<RunResult>& results);
 
+/// A command for each failed run that runs it again, the same bit for bit, with pictures to watch.
+/// @param robot the settings file of the trial; may be empty.
+[[nodiscard]] std::string replay_commands(const std::vector<RunResult>& results,
+                                          const std::string& robot);
+
 }  // namespace striate

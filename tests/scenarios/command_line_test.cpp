@@ -47,8 +47,8 @@ TEST(CommandLine, ABrokenTaskIsToldWithItsPlacesAndNothingRuns) {
   const Ended ended =
       striate({"run", task, "--world", "config/worlds/short.yaml", "--result", result});
   EXPECT_EQ(ended.exit_code, 2);
-  EXPECT_THAT(ended.err, AllOf(HasSubstr("t.yaml:3:5: error: unknown action 'fly'"),
-                               HasSubstr("t.yaml:4:17: error: '3' has no unit")));
+  EXPECT_THAT(ended.err, AllOf(HasSubstr("t.yaml:3:5: error[T020]: unknown action 'fly'"),
+                               HasSubstr("t.yaml:4:17: error[T014]: '3' has no unit")));
   EXPECT_FALSE(std::filesystem::exists(result));
 }
 

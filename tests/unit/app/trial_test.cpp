@@ -1,14 +1,18 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
+#include <unistd.h>
 
 #include <csignal>
 #include <filesystem>
 #include <fstream>
+#include <set>
 
 #include "app/place_text.hpp"
 #include "app/run_result.hpp"
 #include "app/trial/process_pool.hpp"
+#include "app/trial/trial_merge.hpp"
 #include "app/trial/trial_plan.hpp"
 #include "app/trial/trial_table.hpp"
 #include "config/user_error.hpp"
@@ -47,6 +51,53 @@ TEST(TrialTable, CountsSuccessesAndCausesByWorld) {
   EXPECT_THAT(table, HasSubstr("| mine | 1 / 1 | 100 % |"));
   EXPECT_THAT(table, HasSubstr("| all | 2 / 3 |"));
   EXPECT_THAT(table, HasSubstr("1 x touched table, still, in the dark"));
+}
+
+TEST(TrialTable, GivesACommandThatRepeatsEachFailedRun) {
+  RunResult failed = run("corridor_a", 2, false);
+  failed.emergency_layer = false;
+  const std::string text = replay_commands({run("corridor_a", 1, true), failed}, "r.yaml");
+  EXPECT_THAT(text, HasSubstr("striate run t.yaml --world config/worlds/corridor_a.yaml --seed 2 "
+                              "--no-emergency --robot r.yaml --picture-every 10"));
+  EXPECT_THAT(text, testing::Not(HasSubstr("--seed 1")));
+  EXPECT_EQ(replay_commands({run("corridor_a", 1, true)}, ""), "");
+}
+
+TEST(TrialPlan, ShardsShareAllRunsAndEachHasItsPartOfEveryWorld) {
+  TrialOptions options;
+  options.worlds = {"a.yaml", "b.yaml"};
+  options.runs = 7;
+  std::set<std::string> files;
+  for (int shard = 1; shard <= 3; ++shard) {
+    options.shard = shard;
+    options.shards = 3;
+    const auto runs = plan_trial(options);
+    EXPECT_NEAR(static_cast<double>(runs.size()), 14.0 / 3.0, 1.0);
+    for (const TrialRun& one : runs) EXPECT_TRUE(files.insert(one.result_file).second);
+  }
+  EXPECT_EQ(files.size(), 14U);
+}
+
+TEST(TrialMerge, JoinsFoldersAndRefusesWhatDoesNotBelongTogether) {
+  const std::string base = testing::TempDir() + "merge_" + std::to_string(getpid());
+  const auto put = [&](const std::string& folder, const RunResult& result) {
+    write_file(fmt::format("{}/{}/runs/{}.json", base, folder, result.seed),
+               to_json(result).dump());
+  };
+  put("1", run("corridor_a", 1, true));
+  put("2", run("corridor_a", 2, false));
+  testing::internal::CaptureStdout();
+  EXPECT_EQ(merge_trials({base + "/1", base + "/2"}, base + "/all"), 0);
+  EXPECT_THAT(testing::internal::GetCapturedStdout(), HasSubstr("| corridor_a | 1 / 2 | 50 % |"));
+  EXPECT_TRUE(std::filesystem::exists(base + "/all/runs.csv"));
+  EXPECT_THROW(merge_trials({base + "/nowhere"}, base + "/all"), UserError);
+  RunResult other = run("corridor_a", 3, true);
+  other.emergency_layer = !other.emergency_layer;
+  put("3", other);
+  EXPECT_THROW(merge_trials({base + "/1", base + "/3"}, base + "/all"), UserError);
+  put("4", run("corridor_a", 2, true));
+  EXPECT_THROW(merge_trials({base + "/2", base + "/4"}, base + "/all"), UserError);
+  std::filesystem::remove_all(base);
 }
 
 TEST(RunResult, JsonRoundTripKeepsEverything) {

@@ -3,7 +3,9 @@
 #include "behaviours/back_up.hpp"
 #include "behaviours/drive_straight.hpp"
 #include "behaviours/look_around.hpp"
+#include "behaviours/look_at.hpp"
 #include "behaviours/registry.hpp"
+#include "behaviours/say.hpp"
 #include "behaviours/stop.hpp"
 #include "behaviours/turn_to.hpp"
 #include "behaviours/wait.hpp"
@@ -86,6 +88,63 @@ TEST(Stop, SucceedsOnlyWhenTheRobotStands) {
     wish = loop.cycle(stop, "stop");
   EXPECT_EQ(wish.progress, Progress::succeeded);
   EXPECT_LT(loop.world.forward_m_s(), 0.01);
+}
+
+TEST(LookAt, TurnsTheHeadToADirectionAndLooksThereForItsTime) {
+  flat::Loop loop(open_floor(), 1);
+  LookAt look({.pan_rad = radians(40.0), .tilt_rad = -0.1, .for_s = 1.0}, loop.robot);
+  double farthest_rad = 0.0;
+  const flat::RunResult result = loop.run(look, 20.0, [&](const Wish&) {
+    farthest_rad = std::max(farthest_rad, loop.world.head().pan_rad);
+  });
+  EXPECT_EQ(result.progress, Progress::succeeded);
+  EXPECT_NEAR(farthest_rad, radians(40.0), 0.06);
+  EXPECT_GT(result.duration_s, 1.2);
+  EXPECT_NEAR(result.end.x_m, 0.0, 1e-9);
+}
+
+TEST(LookAt, FailsWhereNothingIsSalient) {
+  flat::Loop loop(open_floor(), 1);
+  LookAt look({.target = LookAt::Target::salient}, loop.robot);
+  const flat::RunResult result = loop.run(look, 20.0);
+  EXPECT_EQ(result.progress, Progress::failed);
+  EXPECT_EQ(result.why, "nothing salient to look at");
+}
+
+TEST(LookAt, FollowsTheMostSalientRegionOfMemory) {
+  const RobotDescription robot;
+  ShortTermMemory memory({}, robot);
+  Senses senses;
+  Percept percept;
+  LookAt look({.target = LookAt::Target::salient, .for_s = 0.5}, robot);
+  Wish wish;
+  for (int i = 1; i < 40; ++i) {
+    senses.now = TimePoint(std::chrono::milliseconds(100 * i));
+    senses.head.pan_rad = wish.pan_rad;
+    percept.stamp = senses.now;
+    percept.valid = true;
+    percept.saliency.regions.resize(1);
+    percept.saliency.regions[0].bearing_rad = radians(12.0);
+    percept.saliency.regions[0].salience = 0.8;
+    memory.update(senses, percept);
+    if (i == 5) look.start(memory);
+    if (i >= 5) wish = look.tick(memory);
+    if (i == 8) {
+      EXPECT_NEAR(wish.pan_rad, radians(12.0), 0.1);
+    }
+    if (wish.progress != Progress::running) break;
+  }
+  EXPECT_EQ(wish.progress, Progress::succeeded);
+}
+
+TEST(Say, ShowsItsTextForItsTimeAndThenSucceeds) {
+  flat::Loop loop(open_floor(), 1);
+  Say say({.text = "hello", .for_s = 1.0}, loop.robot);
+  int shown = 0;
+  const flat::RunResult result =
+      loop.run(say, 20.0, [&](const Wish& wish) { shown += wish.why.view() == "says: hello"; });
+  EXPECT_EQ(result.progress, Progress::succeeded);
+  EXPECT_GE(shown, 9);
 }
 
 TEST(LookAround, SeesWhatStandsBesideTheView) {

@@ -3,68 +3,77 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <string>
-#include <vector>
+#include "tasks/nodes/limited_node.hpp"
+#include "tasks/nodes/only_if_node.hpp"
+#include "tasks/nodes/optional_node.hpp"
+#include "tasks/nodes/recover_node.hpp"
+#include "tasks/nodes/repeat_node.hpp"
+#include "tasks/nodes/sequence_node.hpp"
+#include "tasks/nodes/together_node.hpp"
+#include "tasks/nodes/try_node.hpp"
+#include "tests/reference/scripted_behaviour.hpp"
 
 namespace striate {
 namespace {
 
+using reference::AfterLooks;
+using reference::Log;
+using reference::nodes;
+using reference::Script;
 using testing::ElementsAre;
 using testing::HasSubstr;
-using Log = std::vector<std::string>;
 
-/// Notes what is done to it, runs for some ticks, and may need several cycles to halt.
-class Scripted final : public Behaviour {
+std::vector<Guard> guard(Guard::Kind kind, std::unique_ptr<Condition> condition) {
+  std::vector<Guard> guards(1);
+  guards[0].kind = kind;
+  guards[0].text = "looked: often";
+  guards[0].line = 3;
+  guards[0].condition = std::move(condition);
+  return guards;
+}
+
+/// Holds from one look to another.
+class Between final : public Condition {
  public:
-  struct Script {
-    std::string name;
-    int ticks = 1;
-    Progress ends_as = Progress::succeeded;
-    int halt_cycles = 0;
-  };
-  Scripted(Script script, Log& log) : script_(std::move(script)), log_(log) {}
-
-  void start(const ShortTermMemory&) override {
-    log_.push_back("start " + script_.name);
-    left_ = script_.ticks;
-    halts_ = 0;
-  }
-  Wish tick(const ShortTermMemory& memory) override {
-    if (--left_ < 0) return final_wish(memory, script_.ends_as, "scripted");
-    Wish wish = standing_wish(memory, "driving");
-    wish.forward_m_s = 0.3;
-    return wish;
-  }
-  bool halt(const ShortTermMemory&) override {
-    if (halts_++ < script_.halt_cycles) return false;
-    log_.push_back("halted " + script_.name);
-    return true;
+  Between(int from, int to) : from_(from), to_(to) {}
+  [[nodiscard]] bool holds(const ShortTermMemory&) const override {
+    ++looks_;
+    return looks_ > from_ && looks_ <= to_;
   }
 
  private:
-  Script script_;
-  Log& log_;
-  int left_ = 0;
-  int halts_ = 0;
-};
-
-class AfterTicks final : public Condition {
- public:
-  explicit AfterTicks(int ticks) : left_(ticks) {}
-  [[nodiscard]] bool holds(const ShortTermMemory&) const override { return --left_ < 0; }
-
- private:
-  mutable int left_;
+  int from_;
+  int to_;
+  mutable int looks_ = 0;
 };
 
 class ExecutiveTest : public testing::Test {
  protected:
-  Step step(Scripted::Script script) {
-    Step step;
-    step.action = script.name;
-    step.place = {7, 3};
-    step.behaviour = std::make_unique<Scripted>(std::move(script), log_);
-    return step;
+  NodePtr act(Script script) { return reference::action(std::move(script), log_); }
+
+  template <class... Nodes>
+  static NodePtr sequence(Nodes... each) {
+    return std::make_unique<SequenceNode>(nodes(std::move(each)...));
+  }
+  template <class... Nodes>
+  static NodePtr finally(Nodes... each) {
+    return std::make_unique<SequenceNode>(nodes(std::move(each)...), true);
+  }
+  static NodePtr until(NodePtr child, int looks) {
+    Limits limits;
+    limits.until = std::make_unique<AfterLooks>(looks);
+    return std::make_unique<LimitedNode>("a", 7, std::move(child), std::move(limits));
+  }
+  static NodePtr within_1s(NodePtr child) {
+    Limits limits;
+    limits.within = std::chrono::seconds(1);
+    return std::make_unique<LimitedNode>("a", 7, std::move(child), std::move(limits));
+  }
+  static Task task(NodePtr steps, NodePtr at_the_end = nullptr, std::vector<Guard> guards = {}) {
+    Task task;
+    task.root =
+        std::make_unique<ScopeNode>(std::move(guards), std::move(steps), std::move(at_the_end));
+    return task;
   }
 
   /// Ticks until the end, at most `limit` cycles of 100 ms; counts the cycles that drove.
@@ -73,103 +82,192 @@ class ExecutiveTest : public testing::Test {
       now_ += std::chrono::milliseconds(100);
       const Wish wish = executive.tick(memory_, now_);
       driven_ += wish.forward_m_s > 0.0 ? 1 : 0;
+      guarded_ += executive.owner() == MotorOwner::guard ? 1 : 0;
     }
     EXPECT_TRUE(executive.ended());
+  }
+  void run(Task task) {
+    Executive executive(std::move(task));
+    run(executive);
+    state_ = executive.state();
+    reason_ = executive.reason();
   }
 
   Log log_;
   ShortTermMemory memory_{ShortTermMemorySettings{}, RobotDescription{}};
   TimePoint now_{};
   int driven_ = 0;
+  int guarded_ = 0;
+  MissionState state_ = MissionState::running;
+  std::string reason_;
 };
 
 TEST_F(ExecutiveTest, RunsStepsInOrderAndThenFinally) {
-  Task task;
-  task.steps.push_back(step({"a", 2}));
-  task.steps.push_back(step({"b", 3}));
-  task.finally.push_back(step({"f", 1}));
-  Executive executive(std::move(task));
-  run(executive);
-  EXPECT_EQ(executive.state(), MissionState::succeeded);
-  EXPECT_THAT(log_, ElementsAre("start a", "start b", "start f"));
+  run(task(sequence(act({"a", 2}), act({"b", 3})), finally(act({"f", 1}))));
+  EXPECT_EQ(state_, MissionState::succeeded);
+  EXPECT_THAT(log_, ElementsAre("start a", "end a", "start b", "end b", "start f", "end f"));
   EXPECT_EQ(driven_, 6);
 }
 
 TEST_F(ExecutiveTest, UntilHaltsTheActionBeforeTheNextStarts) {
-  Task task;
-  task.steps.push_back(step({"a", 100, Progress::failed, 3}));
-  task.steps.back().until = std::make_unique<AfterTicks>(4);
-  task.steps.push_back(step({"b", 1}));
-  Executive executive(std::move(task));
-  run(executive);
-  EXPECT_EQ(executive.state(), MissionState::succeeded);
-  EXPECT_THAT(log_, ElementsAre("start a", "halted a", "start b"));
+  run(task(sequence(until(act({"a", 100, Progress::failed, 3}), 4), act({"b", 1}))));
+  EXPECT_EQ(state_, MissionState::succeeded);
+  EXPECT_THAT(log_, ElementsAre("start a", "halted a", "start b", "end b"));
   EXPECT_EQ(driven_, 4 + 1);
 }
 
 TEST_F(ExecutiveTest, WithinFailsTheMissionAndStillRunsFinally) {
-  Task task;
-  task.steps.push_back(step({"a", 1000}));
-  task.steps.back().within = std::chrono::seconds(1);
-  task.steps.push_back(step({"never", 1}));
-  task.finally.push_back(step({"f", 1, Progress::failed}));
-  task.finally.push_back(step({"g", 1}));
-  Executive executive(std::move(task));
-  run(executive);
-  EXPECT_EQ(executive.state(), MissionState::failed);
-  EXPECT_THAT(executive.reason(), HasSubstr("a (line 7) took longer than 1 s"));
-  EXPECT_THAT(log_, ElementsAre("start a", "halted a", "start f", "start g"));
+  run(task(sequence(within_1s(act({"a", 1000})), act({"never", 1})),
+           finally(act({"f", 1, Progress::failed}), act({"g", 1}))));
+  EXPECT_EQ(state_, MissionState::failed);
+  EXPECT_THAT(reason_, HasSubstr("a (line 7) took longer than 1 s"));
+  EXPECT_THAT(log_, ElementsAre("start a", "halted a", "start f", "end f", "start g", "end g"));
 }
 
 TEST_F(ExecutiveTest, AFailureIsRecoveredAndTriedAgainAsOftenAsAllowed) {
-  Task task;
-  task.steps.push_back(step({"a", 1, Progress::failed}));
-  auto recovery = std::make_unique<Recovery>();
-  recovery->tries = 2;
-  recovery->steps.push_back(step({"r", 1}));
-  task.steps.back().if_it_fails = std::move(recovery);
-  Executive executive(std::move(task));
-  run(executive);
-  EXPECT_EQ(executive.state(), MissionState::failed);
-  EXPECT_THAT(executive.reason(), HasSubstr("scripted"));
-  EXPECT_THAT(log_, ElementsAre("start a", "start r", "start a", "start r", "start a"));
+  run(task(sequence(std::make_unique<RecoverNode>(act({"a", 1, Progress::failed}),
+                                                  finally(act({"r", 1, Progress::failed})), 2))));
+  EXPECT_EQ(state_, MissionState::failed);
+  EXPECT_THAT(reason_, HasSubstr("a (line 7): scripted"));
+  EXPECT_THAT(log_, ElementsAre("start a", "end a", "start r", "end r", "start a", "end a",
+                                "start r", "end r", "start a", "end a"));
 }
 
 TEST_F(ExecutiveTest, AnInterruptionHaltsThenRunsFinallyAndNothingDrivesWhileHalting) {
-  Task task;
-  task.steps.push_back(step({"a", 1000, Progress::succeeded, 5}));
-  task.finally.push_back(step({"f", 1}));
-  Executive executive(std::move(task));
+  Executive executive(
+      task(sequence(act({"a", 1000, Progress::succeeded, 5})), finally(act({"f", 1}))));
   for (int i = 0; i < 3; ++i) executive.tick(memory_, now_);
   executive.interrupt(MissionState::interrupted, "Ctrl-C");
   run(executive);
   EXPECT_EQ(executive.state(), MissionState::interrupted);
   EXPECT_EQ(executive.reason(), "Ctrl-C");
-  EXPECT_THAT(log_, ElementsAre("start a", "halted a", "start f"));
+  EXPECT_THAT(log_, ElementsAre("start a", "halted a", "start f", "end f"));
   EXPECT_EQ(driven_, 1);
 }
 
+TEST_F(ExecutiveTest, AnInterruptionBeforeTheFirstCycleStillRunsFinally) {
+  Executive executive(task(sequence(act({"a", 5})), finally(act({"f", 1}))));
+  executive.interrupt(MissionState::interrupted, "Ctrl-C");
+  run(executive);
+  EXPECT_THAT(log_, ElementsAre("start f", "end f"));
+}
+
 TEST_F(ExecutiveTest, AnInterruptionDuringRecoveryHaltsTheRecovery) {
-  Task task;
-  task.steps.push_back(step({"a", 0, Progress::failed}));
-  auto recovery = std::make_unique<Recovery>();
-  recovery->steps.push_back(step({"r", 1000}));
-  task.steps.back().if_it_fails = std::move(recovery);
-  Executive executive(std::move(task));
+  Executive executive(task(sequence(std::make_unique<RecoverNode>(act({"a", 0, Progress::failed}),
+                                                                  finally(act({"r", 1000})), 1))));
   for (int i = 0; i < 3; ++i) executive.tick(memory_, now_);
   executive.interrupt(MissionState::interrupted, "Ctrl-C");
   run(executive);
-  EXPECT_THAT(log_, ElementsAre("start a", "start r", "halted r"));
+  EXPECT_THAT(log_, ElementsAre("start a", "end a", "start r", "halted r"));
 }
 
 TEST_F(ExecutiveTest, AFinallyThatNeverEndsIsHalted) {
-  Task task;
-  task.steps.push_back(step({"a", 1}));
-  task.finally.push_back(step({"f", 1000000}));
-  Executive executive(std::move(task));
+  Executive executive(task(sequence(act({"a", 1})), finally(act({"f", 1000000}))));
   run(executive, 400);
   EXPECT_EQ(executive.state(), MissionState::succeeded);
-  EXPECT_THAT(log_, ElementsAre("start a", "start f", "halted f"));
+  EXPECT_THAT(log_, ElementsAre("start a", "end a", "start f", "halted f"));
+}
+
+TEST_F(ExecutiveTest, TryTakesTheFirstThatWorks) {
+  run(task(std::make_unique<TryNode>(
+      nodes(act({"a", 1, Progress::failed}), act({"b", 1}), act({"c", 1})))));
+  EXPECT_EQ(state_, MissionState::succeeded);
+  EXPECT_EQ(reason_, "");
+  EXPECT_THAT(log_, ElementsAre("start a", "end a", "start b", "end b"));
+}
+
+TEST_F(ExecutiveTest, TryFailsWhenAllFail) {
+  run(task(std::make_unique<TryNode>(
+      nodes(act({"a", 1, Progress::failed}), act({"b", 0, Progress::failed})))));
+  EXPECT_EQ(state_, MissionState::failed);
+  EXPECT_THAT(reason_, HasSubstr("b (line 7)"));
+}
+
+TEST_F(ExecutiveTest, TogetherMovesWheelsAndHeadAndWaitsForBoth) {
+  Executive executive(task(
+      std::make_unique<TogetherNode>(nodes(act({"w", 3, Progress::succeeded, 0, Motors::wheels}),
+                                           act({"h", 1, Progress::succeeded, 0, Motors::head})))));
+  Wish wish = executive.tick(memory_, now_);
+  EXPECT_EQ(wish.forward_m_s, 0.3);
+  EXPECT_EQ(wish.pan_rad, 0.5);
+  EXPECT_EQ(executive.current_action(), "w");
+  wish = executive.tick(memory_, now_);
+  EXPECT_EQ(wish.forward_m_s, 0.3);
+  EXPECT_EQ(wish.pan_rad, 0.0);
+  run(executive);
+  EXPECT_EQ(executive.state(), MissionState::succeeded);
+  EXPECT_THAT(log_, ElementsAre("start w", "start h", "end h", "end w"));
+}
+
+TEST_F(ExecutiveTest, TogetherHaltsTheOthersWhenOneFails) {
+  run(task(
+      std::make_unique<TogetherNode>(nodes(act({"w", 30, Progress::succeeded, 4, Motors::wheels}),
+                                           act({"h", 1, Progress::failed, 0, Motors::head})))));
+  EXPECT_EQ(state_, MissionState::failed);
+  EXPECT_THAT(log_, ElementsAre("start w", "start h", "end h", "halted w"));
+}
+
+TEST_F(ExecutiveTest, TwoThatWantTheSameMotorsAreABug) {
+  Executive executive(task(std::make_unique<TogetherNode>(nodes(act({"a", 3}), act({"b", 3})))));
+  EXPECT_THROW(executive.tick(memory_, now_), std::logic_error);
+}
+
+TEST_F(ExecutiveTest, RepeatCountsItsRoundsAndStartsEachAnew) {
+  run(task(std::make_unique<RepeatNode>(sequence(act({"a", 1})), 3)));
+  EXPECT_EQ(state_, MissionState::succeeded);
+  EXPECT_THAT(log_, ElementsAre("start a", "end a", "start a", "end a", "start a", "end a"));
+}
+
+TEST_F(ExecutiveTest, ARepeatForEverIsEndedByUntil) {
+  run(task(until(std::make_unique<RepeatNode>(sequence(act({"a", 1})), 0), 4)));
+  EXPECT_EQ(state_, MissionState::succeeded);
+  EXPECT_THAT(log_, ElementsAre("start a", "end a", "start a", "end a", "start a", "halted a"));
+}
+
+TEST_F(ExecutiveTest, WhatIsNotWantedIsSkippedInTheSameCycle) {
+  const auto never = [this](const char* name) {
+    return std::make_unique<OnlyIfNode>(act({name, 1}), std::make_unique<AfterLooks>(100), nullptr);
+  };
+  const auto unless = [this](const char* name) {
+    return std::make_unique<OnlyIfNode>(act({name, 1}), nullptr, std::make_unique<AfterLooks>(0));
+  };
+  run(task(sequence(never("a"), unless("b"), act({"c", 1}),
+                    std::make_unique<TryNode>(nodes(never("d"), act({"e", 1}))))));
+  EXPECT_EQ(state_, MissionState::succeeded);
+  EXPECT_THAT(log_, ElementsAre("start c", "end c", "start e", "end e"));
+}
+
+TEST_F(ExecutiveTest, AnOptionalFailureIsNone) {
+  run(task(
+      sequence(std::make_unique<OptionalNode>(act({"a", 1, Progress::failed})), act({"b", 1}))));
+  EXPECT_EQ(state_, MissionState::succeeded);
+}
+
+TEST_F(ExecutiveTest, APauseHoldsTheRobotStillAndTheActionGoesOnAfterIt) {
+  run(task(sequence(act({"a", 6})), nullptr,
+           guard(Guard::Kind::pause_if, std::make_unique<Between>(3, 8))));
+  EXPECT_EQ(state_, MissionState::succeeded);
+  EXPECT_EQ(driven_, 6);
+  EXPECT_EQ(guarded_, 5);
+  EXPECT_THAT(log_, ElementsAre("start a", "end a"));
+}
+
+TEST_F(ExecutiveTest, AGuardThatFailsHaltsAndRunsFinally) {
+  run(task(sequence(act({"a", 1000, Progress::succeeded, 2})), finally(act({"f", 1})),
+           guard(Guard::Kind::fail_if, std::make_unique<AfterLooks>(3))));
+  EXPECT_EQ(state_, MissionState::failed);
+  EXPECT_EQ(reason_, "guard (line 3): looked: often");
+  EXPECT_THAT(log_, ElementsAre("start a", "halted a", "start f", "end f"));
+}
+
+TEST_F(ExecutiveTest, AUsedTaskRunsItsOwnFinallyAlsoWhenItIsInterrupted) {
+  NodePtr used = std::make_unique<ScopeNode>(std::vector<Guard>{}, sequence(act({"a", 1000})),
+                                             finally(act({"g", 2})));
+  Executive executive(task(sequence(std::move(used)), finally(act({"f", 1}))));
+  for (int i = 0; i < 3; ++i) executive.tick(memory_, now_);
+  executive.interrupt(MissionState::interrupted, "Ctrl-C");
+  run(executive);
+  EXPECT_THAT(log_, ElementsAre("start a", "halted a", "start g", "end g", "start f", "end f"));
 }
 
 }  // namespace

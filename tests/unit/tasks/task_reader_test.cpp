@@ -13,13 +13,13 @@ namespace {
 using testing::HasSubstr;
 
 std::string mistakes_of(const std::string& yaml) {
-  config::Mistakes mistakes("t.yaml");
+  config::Mistakes mistakes("t.yaml", 'T');
   read_task(yaml, mistakes, RobotDescription{});
   return mistakes.text();
 }
 
 TEST(TaskReader, ReadsStepsVariablesLimitsAndRecovery) {
-  config::Mistakes mistakes("t.yaml");
+  config::Mistakes mistakes("t.yaml", 'T');
   const Task task = read_task(
       "striate: 1\n"
       "mission: there\n"
@@ -38,16 +38,17 @@ TEST(TaskReader, ReadsStepsVariablesLimitsAndRecovery) {
       mistakes, RobotDescription{});
   ASSERT_TRUE(mistakes.none()) << mistakes.text();
   EXPECT_EQ(task.mission, "there");
-  ASSERT_EQ(task.steps.size(), 2U);
-  EXPECT_EQ(task.steps[0].action, "traverse_corridor");
-  EXPECT_EQ(task.steps[0].place.line, 5);
-  ASSERT_TRUE(task.steps[0].behaviour);
-  ASSERT_TRUE(task.steps[0].until);
-  EXPECT_EQ(task.steps[0].within, Duration(std::chrono::minutes(4)));
-  ASSERT_TRUE(task.steps[0].if_it_fails);
-  EXPECT_EQ(task.steps[0].if_it_fails->tries, 2);
-  EXPECT_EQ(task.steps[0].if_it_fails->steps.size(), 1U);
-  EXPECT_EQ(task.finally.size(), 1U);
+  EXPECT_THAT(task.variables, testing::ElementsAre("cruise", "far"));
+  ASSERT_TRUE(task.root);
+  EXPECT_EQ(text_tree(task.outline),
+            "task there\n"
+            "├─ do\n"
+            "│  ├─ traverse_corridor {speed: 0.3 m/s}  (until travelled: 12 m, within 4 min)\n"
+            "│  │  └─ if_it_fails, 2 more tries\n"
+            "│  │     └─ back_up {distance: 0.3 m}\n"
+            "│  └─ stop\n"
+            "└─ finally\n"
+            "   └─ stop\n");
 }
 
 TEST(TaskReader, TellsAllMistakesInOnePassWithTheirPlaces) {
@@ -67,33 +68,35 @@ TEST(TaskReader, TellsAllMistakesInOnePassWithTheirPlaces) {
       "  - wait\n"                                // 13: no map
       "    \n"
       "finally: {stop: {}}\n");  // 15: no list
-  EXPECT_THAT(text, HasSubstr("t.yaml:1:10: error: '2' is out of range"));
-  EXPECT_THAT(text, HasSubstr("t.yaml:2:1: error: unknown key 'misson' in the task"));
+  EXPECT_THAT(text, HasSubstr("t.yaml:1:10: error[T016]: '2' is out of range"));
+  EXPECT_THAT(text, HasSubstr("t.yaml:2:1: error[T010]: unknown key 'misson' in the task"));
   EXPECT_THAT(text, HasSubstr("did you mean 'mission'?"));
-  EXPECT_THAT(text, HasSubstr("t.yaml:5:5: error: unknown action 'traverse_coridor'"));
+  EXPECT_THAT(text, HasSubstr("t.yaml:5:5: error[T020]: unknown action 'traverse_coridor'"));
   EXPECT_THAT(text, HasSubstr("did you mean 'traverse_corridor'?"));
-  EXPECT_THAT(text, HasSubstr("t.yaml:6:32: error: unknown variable '$cruse'"));
+  EXPECT_THAT(text, HasSubstr("t.yaml:6:32: error[T025]: unknown variable '$cruse'"));
   EXPECT_THAT(text, HasSubstr("did you mean 'cruise'?"));
-  EXPECT_THAT(text, HasSubstr("t.yaml:7:13: error: '4' has no unit"));
-  EXPECT_THAT(text, HasSubstr("t.yaml:8:5: error: unknown action 'untill'"));
+  EXPECT_THAT(text, HasSubstr("t.yaml:7:13: error[T014]: '4' has no unit"));
+  EXPECT_THAT(text, HasSubstr("t.yaml:8:5: error[T020]: unknown action 'untill'"));
   EXPECT_THAT(text, HasSubstr("did you mean 'until'?"));
-  EXPECT_THAT(text, HasSubstr("t.yaml:9:25: error: '3 s' has the wrong unit"));
-  EXPECT_THAT(text, HasSubstr("t.yaml:10:13: error: unknown condition 'traveled'"));
+  EXPECT_THAT(text, HasSubstr("t.yaml:9:25: error[T015]: '3 s' has the wrong unit"));
+  EXPECT_THAT(text, HasSubstr("t.yaml:10:13: error[T023]: unknown condition 'traveled'"));
   EXPECT_THAT(text, HasSubstr("did you mean 'travelled'?"));
-  EXPECT_THAT(text, HasSubstr("t.yaml:12:5: error: this step has two actions"));
-  EXPECT_THAT(text, HasSubstr("t.yaml:13:5: error: a step must be an action"));
-  EXPECT_THAT(text, HasSubstr("t.yaml:15:10: error: 'finally' must be a list of steps"));
+  EXPECT_THAT(text, HasSubstr("t.yaml:12:5: error[T022]: this step has two actions"));
+  EXPECT_THAT(text, HasSubstr("t.yaml:13:5: error[T012]: a step must be an action"));
+  EXPECT_THAT(text, HasSubstr("t.yaml:15:10: error[T012]: 'finally' must be a list of steps"));
 }
 
 TEST(TaskReader, GivenValuesReplaceDeclaredVariablesOnly) {
   const std::string script =
-      "striate: 1\nvars: {far: 3 m}\ndo:\n  - wait: {}\n    until: {travelled: $far}\n";
+      "striate: 1\nvars: {far: 3 m}\ndo:\n  - traverse_corridor: {}\n    until: {travelled: "
+      "$far}\n";
   config::Mistakes good("t.yaml");
   read_task(script, good, RobotDescription{}, {{"far", "5 m"}, {"other", "7 s"}});
   EXPECT_TRUE(good.none()) << good.text();
   config::Mistakes bad("t.yaml");
   read_task(script, bad, RobotDescription{}, {{"far", "5 s"}});
   EXPECT_THAT(bad.text(), HasSubstr("'5 s' has the wrong unit"));
+  EXPECT_THAT(bad.text(), HasSubstr("$far is '5 s', given from outside"));
 }
 
 TEST(TaskReader, SaysWhatIsMissing) {
@@ -115,6 +118,57 @@ TEST(TaskReader, EveryShippedScriptIsGood) {
     ++count;
   }
   EXPECT_GE(count, 1);
+}
+
+TEST(TaskReader, TakesAnActionsMainValueWithoutItsName) {
+  config::Mistakes mistakes("t.yaml", 'T');
+  const Task task =
+      read_task("striate: 1\ndo:\n  - say: \"I see it\"\n  - wait: 3 s\n  - wait: 3 m\n", mistakes,
+                RobotDescription{});
+  ASSERT_EQ(mistakes.count(), 1U) << mistakes.text();
+  EXPECT_THAT(mistakes.text(), HasSubstr("t.yaml:5:11: error[T015]: '3 m' has the wrong unit"));
+  EXPECT_THAT(text_tree(task.outline), HasSubstr("say {text: I see it}\n   ├─ wait {for: 3 s}"));
+}
+
+TEST(TaskReader, ReadsEveryKindOfNode) {
+  config::Mistakes mistakes("t.yaml", 'T');
+  const Task task = read_task(
+      "striate: 1\n"
+      "mission: all\n"
+      "always:\n"
+      "  - pause_if: {picture_older_than: 250 ms}\n"
+      "do:\n"
+      "  - try:\n"
+      "      - back_up: {}\n"
+      "      - stop: {}\n"
+      "    only_if: {after: 0 s}\n"
+      "  - together:\n"
+      "      - drive_straight: {distance: 2 m}\n"
+      "      - repeat: [look_at: {pan: 20 deg}]\n"
+      "    until: {travelled: 1 m}\n"
+      "  - repeat: {times: 2, do: [wait: 1 s]}\n"
+      "    unless: {light_below: 10 %}\n"
+      "    optional: true\n"
+      "  - do:\n"
+      "      - stop: {}\n",
+      mistakes, RobotDescription{});
+  ASSERT_TRUE(mistakes.none()) << mistakes.text();
+  EXPECT_EQ(text_tree(task.outline),
+            "task all\n"
+            "├─ always\n"
+            "│  └─ pause_if picture_older_than: 250 ms\n"
+            "└─ do\n"
+            "   ├─ try  (only if after: 0 s)\n"
+            "   │  ├─ back_up\n"
+            "   │  └─ stop\n"
+            "   ├─ together  (until travelled: 1 m)\n"
+            "   │  ├─ drive_straight {distance: 2 m}\n"
+            "   │  └─ repeat\n"
+            "   │     └─ look_at {pan: 20 deg}\n"
+            "   ├─ repeat 2 times  (unless light_below: 10 %, optional)\n"
+            "   │  └─ wait {for: 1 s}\n"
+            "   └─ do\n"
+            "      └─ stop\n");
 }
 
 }  // namespace

@@ -1,0 +1,110 @@
+#include "app/commands/action_list.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "tasks/condition.hpp"
+
+namespace striate {
+namespace {
+
+using nlohmann::ordered_json;
+
+bool is_required(const BehaviourEntry& behaviour, const std::string& key) {
+  return std::find(behaviour.required.begin(), behaviour.required.end(), key) !=
+         behaviour.required.end();
+}
+
+/// Numbers of many digits, which come from radians, with four: "60.00014031 deg" as "60 deg".
+std::string readable(const std::string& text) {
+  std::string out;
+  for (std::size_t i = 0; i < text.size();) {
+    const std::size_t end = std::min(text.find_first_not_of("0123456789.", i), text.size());
+    const std::string digits = text.substr(i, end - i);
+    const bool long_number = digits.size() > 7 && digits.find("..") == std::string::npos &&
+                             digits.find('.') != std::string::npos;
+    out += long_number ? fmt::format("{:.4g}", std::stod(digits)) : digits;
+    if (end < text.size()) out += text[end];
+    i = end + 1;
+  }
+  return out;
+}
+
+std::string allowed_of(const ConditionEntry& condition) {
+  return fmt::format("{} .. {}", config::print_quantity(condition.range.low, condition.unit),
+                     config::print_quantity(condition.range.high, condition.unit));
+}
+
+ordered_json json_of(const BehaviourEntry& behaviour) {
+  ordered_json json = {{"name", behaviour.name}, {"help", behaviour.help}};
+  json["parameters"] = ordered_json::array();
+  for (const config::SettingLine& line : behaviour.parameters()) {
+    ordered_json one = {{"name", line.key}, {"help", line.help}, {"allowed", line.allowed}};
+    if (is_required(behaviour, line.key)) {
+      one["required"] = true;
+    } else {
+      one["default"] = line.value;
+    }
+    json["parameters"].push_back(std::move(one));
+  }
+  json["example"] = "- " + example_of(behaviour);
+  return json;
+}
+
+}  // namespace
+
+std::string example_of(const BehaviourEntry& behaviour) {
+  constexpr int kShown = 3;
+  std::string arguments;
+  int shown = 0;
+  for (const config::SettingLine& line : behaviour.parameters()) {
+    const bool required = is_required(behaviour, line.key);
+    const bool nested = line.key.find('.') != std::string::npos;
+    if (nested || (shown >= kShown && !required)) continue;
+    if (line.value.empty() && !required) continue;
+    ++shown;
+    const std::string value = required && line.value.empty() ? "book" : readable(line.value);
+    arguments += fmt::format("{}{}: {}", arguments.empty() ? "" : ", ", line.key, value);
+  }
+  return fmt::format("{}: {{{}}}", behaviour.name, arguments);
+}
+
+ordered_json actions_as_json() {
+  ordered_json json;
+  json["actions"] = ordered_json::array();
+  for (const BehaviourEntry& behaviour : behaviour_registry()) {
+    json["actions"].push_back(json_of(behaviour));
+  }
+  json["conditions"] = ordered_json::array();
+  for (const ConditionEntry& condition : condition_registry()) {
+    json["conditions"].push_back(
+        {{"name", condition.name},
+         {"help", condition.help},
+         {"allowed", allowed_of(condition)},
+         {"example", fmt::format("until: {{{}: {}}}", condition.name, condition.example)}});
+  }
+  return json;
+}
+
+std::string actions_as_text() {
+  std::string text = "Actions (a parameter that is left away has the value shown):\n";
+  for (const BehaviourEntry& behaviour : behaviour_registry()) {
+    text += fmt::format("\n  {}: {}\n      - {}\n", behaviour.name, behaviour.help,
+                        example_of(behaviour));
+    for (const config::SettingLine& line : behaviour.parameters()) {
+      const std::string value =
+          is_required(behaviour, line.key) ? "(must be given)" : readable(line.value);
+      text += fmt::format("      {:24} {:16} {} ({})\n", line.key, value, line.help,
+                          readable(line.allowed));
+    }
+  }
+  text += "\nConditions, for until, only_if, unless, pause_if and fail_if:\n\n";
+  for (const ConditionEntry& condition : condition_registry()) {
+    const std::string example = fmt::format("{{{}: {}}}", condition.name, condition.example);
+    text += fmt::format("  {:34} {} ({})\n", example, condition.help, allowed_of(condition));
+  }
+  return text;
+}
+
+}  // namespace striate

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "behaviours/registry.hpp"
+
+namespace striate {
+
+/// What a task script can be made of, from the registries of behaviours and conditions themselves.
+[[nodiscard]] nlohmann::ordered_json actions_as_json();
+/// The same for people.
+[[nodiscard]] std::string actions_as_text();
+
+/// One step that uses the behaviour, as it stands in a script: "back_up: {distance: 0.3 m}".
+[[nodiscard]] std::string example_of(const BehaviourEntry& behaviour);
+
+}  // namespace striate

@@ -1,0 +1,67 @@
+#include <fmt/format.h>
+
+#include <memory>
+#include <string>
+
+#include "app/commands/action_list.hpp"
+#include "app/commands/commands.hpp"
+#include "app/run_result.hpp"
+#include "tasks/task_reader.hpp"
+
+namespace striate {
+namespace {
+
+struct ShowOptions {
+  std::string file;
+  std::string svg;
+  std::string xml;
+};
+
+int show(const ShowOptions& options) {
+  const Task task = check_task(options.file, RobotDescription{});
+  if (!options.svg.empty()) {
+    check_writable(options.svg);
+    write_file(options.svg, svg_tree(task.outline));
+  }
+  if (!options.xml.empty()) {
+    check_writable(options.xml);
+    write_file(options.xml, xml_tree(task.outline));
+  }
+  if (options.svg.empty() && options.xml.empty()) fmt::print("{}", text_tree(task.outline));
+  return 0;
+}
+
+void add_show(CLI::App& command, int& exit_code) {
+  auto options = std::make_shared<ShowOptions>();
+  CLI::App* show_command = command.add_subcommand("show", "draws the tree of a task script");
+  show_command->add_option("file", options->file, "the task script")->required();
+  show_command->add_option("--svg", options->svg, "write a picture instead");
+  show_command->add_option("--xml", options->xml,
+                           "write the XML of BehaviorTree.CPP 4 instead, for its editors");
+  show_command->callback([options, &exit_code] { exit_code = show(*options); });
+}
+
+void add_actions(CLI::App& command, int& exit_code) {
+  auto json = std::make_shared<bool>(false);
+  CLI::App* actions = command.add_subcommand(
+      "actions", "lists the actions and conditions that a script can use, with an example each");
+  actions->add_flag("--json", *json, "print them as JSON");
+  actions->callback([json, &exit_code] {
+    fmt::print("{}", *json ? actions_as_json().dump(2) + "\n" : actions_as_text());
+    exit_code = 0;
+  });
+}
+
+}  // namespace
+
+void add_task_command(CLI::App& app, int& exit_code) {
+  CLI::App* command = app.add_subcommand(
+      "task",
+      "Draws task scripts, and lists what they can be made of.\n"
+      "Example: striate task show config/tasks/corridor.yaml --svg corridor.svg");
+  command->require_subcommand(1);
+  add_show(*command, exit_code);
+  add_actions(*command, exit_code);
+}
+
+}  // namespace striate

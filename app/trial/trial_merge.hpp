@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace striate {
+
+/// Joins the parts of a trial that ran on several machines: reads `runs/*.json` of each folder,
+/// writes `runs.csv` and `table.md` of all into `out` and prints the table.
+/// @throws UserError for a folder without runs, runs of different tasks or settings of the
+/// emergency layer, and a run that stands in two folders with different results.
+int merge_trials(const std::vector<std::string>& folders, const std::string& out);
+
+}  // namespace striate

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstdint>
+
+#include "behaviours/behaviour.hpp"
+#include "config/settings.hpp"
+#include "platform/interface/robot.hpp"
+
+namespace striate {
+
+/// Turns the head to a direction, or to what short-term memory holds as most salient, and looks
+/// there for a while. The choice is made once; the region is then followed while it is remembered.
+class LookAt : public Behaviour {
+ public:
+  enum class Target : std::uint8_t { direction, salient };
+  struct Settings {
+    Target target = Target::direction;
+    double pan_rad = 0.0;
+    double tilt_rad = kRestingTilt_rad;
+    double for_s = 1.0;
+  };
+
+  LookAt(const Settings& settings, const RobotDescription& robot);
+  void start(const ShortTermMemory& memory) override;
+  Wish tick(const ShortTermMemory& memory) override;
+  [[nodiscard]] Motors motors() const override { return Motors::head; }
+
+ private:
+  /// Where the chosen region is now; false once it is forgotten.
+  bool follow(const ShortTermMemory& memory);
+
+  Settings settings_;
+  double max_pan_rad_;
+  double pan_rad_ = 0.0;
+  int region_ = 0;
+  TimePoint started_{};
+  TimePoint arrived_{};
+  bool there_ = false;
+};
+
+template <class V>
+void visit(V& v, LookAt::Settings& s) {
+  using config::Unit;
+  v.choice("target", s.target, {"direction", "salient"}, "'pan' and 'tilt', or what is salient");
+  v.number("pan", s.pan_rad, Unit::angle, {-1.6, 1.6}, "left positive");
+  v.number("tilt", s.tilt_rad, Unit::angle, {-0.6, 0.6}, "up positive");
+  v.number("for", s.for_s, Unit::duration, {0, 600}, "how long it looks there");
+}
+
+}  // namespace striate

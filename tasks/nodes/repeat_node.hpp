@@ -1,0 +1,29 @@
+#pragma once
+
+#include "tasks/nodes/task_node.hpp"
+
+namespace striate {
+
+/// `repeat`: again and again, so many times or until it is halted. A round that fails ends it.
+class RepeatNode final : public TaskNode {
+ public:
+  /// @param times 0: for ever.
+  RepeatNode(NodePtr child, int times) : child_(std::move(child)), times_(times) {}
+
+ protected:
+  void on_start(TaskCycle& /*cycle*/) override { done_ = 0; }
+  Outcome on_tick(TaskCycle& cycle) override {
+    const Outcome outcome = child_->tick(cycle);
+    if (outcome == Outcome::running || outcome == Outcome::failed) return outcome;
+    if (times_ == 0) return Outcome::running;
+    return ++done_ >= times_ ? Outcome::succeeded : Outcome::running;
+  }
+  bool on_halt(TaskCycle& cycle) override { return child_->halt(cycle); }
+
+ private:
+  NodePtr child_;
+  int times_;
+  int done_ = 0;
+};
+
+}  // namespace striate

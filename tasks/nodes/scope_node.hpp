@@ -1,0 +1,58 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "tasks/condition.hpp"
+#include "tasks/nodes/task_node.hpp"
+
+namespace striate {
+
+/// One line of `always`.
+struct Guard {
+  enum class Kind : std::uint8_t { pause_if, fail_if };
+  Kind kind = Kind::pause_if;
+  std::string text;  ///< "battery_below: 20 %", for reports
+  int line = 0;
+  std::unique_ptr<Condition> condition;
+};
+
+/// A whole task, or one that another task uses: its guards, its steps, and its `finally`, which is
+/// run after every ending: success, failure, and when the task is halted.
+class ScopeNode final : public TaskNode {
+ public:
+  /// A `finally` that does not end must not keep the robot for ever.
+  static constexpr Duration kFinallyLimit = std::chrono::seconds(30);
+
+  /// @param finally nullptr: there is none.
+  ScopeNode(std::vector<Guard> guards, NodePtr steps, NodePtr finally)
+      : guards_(std::move(guards)), steps_(std::move(steps)), finally_(std::move(finally)) {}
+
+  /// How the steps ended, also while `finally` still runs; running before.
+  [[nodiscard]] Outcome steps_outcome() const { return outcome_; }
+
+ protected:
+  void on_start(TaskCycle& cycle) override;
+  Outcome on_tick(TaskCycle& cycle) override;
+  bool on_halt(TaskCycle& cycle) override;
+
+ private:
+  enum class Phase : std::uint8_t { doing, halting, finally };
+
+  /// The first guard that holds, or nullptr: checked every cycle, top first.
+  [[nodiscard]] const Guard* holding(TaskCycle& cycle) const;
+  Outcome tick_steps(TaskCycle& cycle);
+  Outcome tick_finally(TaskCycle& cycle);
+  Outcome begin_finally(TaskCycle& cycle, Outcome outcome);
+
+  std::vector<Guard> guards_;
+  NodePtr steps_;
+  NodePtr finally_;
+  Phase phase_ = Phase::doing;
+  Outcome outcome_ = Outcome::running;
+  TimePoint finally_since_;
+  long ticked_in_ = 0;  ///< number of the cycle in which `finally` had its tick
+};
+
+}  // namespace striate

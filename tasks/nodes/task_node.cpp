@@ -1,0 +1,31 @@
+#include "tasks/nodes/task_node.hpp"
+
+#include <stdexcept>
+
+namespace striate {
+
+void TaskNode::begin(TaskCycle& cycle) {
+  if (state_ != State::idle) return;
+  state_ = State::running;
+  on_start(cycle);
+}
+
+Outcome TaskNode::tick(TaskCycle& cycle) {
+  if (state_ == State::halting) throw std::logic_error("a node that is being halted was ticked");
+  begin(cycle);
+  const Outcome outcome = on_tick(cycle);
+  if (outcome != Outcome::running) state_ = State::idle;
+  return outcome;
+}
+
+bool TaskNode::halt(TaskCycle& cycle) {
+  if (state_ == State::idle) return true;
+  if (asked_to_halt_in_ == cycle.number()) return false;
+  asked_to_halt_in_ = cycle.number();
+  state_ = State::halting;
+  if (!on_halt(cycle)) return false;
+  state_ = State::idle;
+  return true;
+}
+
+}  // namespace striate

@@ -1,0 +1,188 @@
+#include "tasks/reader/script_reader.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "config/map_reader.hpp"
+#include "tasks/fault.hpp"
+
+namespace striate {
+namespace {
+
+using config::Node;
+
+}  // namespace
+
+Script ScriptReader::read(Node root) {
+  Task& task = script_.task;
+  task.file = mistakes_.file();
+  if (root.kind != Node::Kind::map) {
+    if (mistakes_.none()) {
+      mistakes_.add(fault::wrong_kind, root.place, "a task script must be a map of keys");
+    }
+    return std::move(script_);
+  }
+  const Variables variables = variables_of(root);
+  for (Node::Entry& entry : root.entries) {
+    if (entry.key == "vars" || entry.key == "needs") continue;
+    for (Substitution& done : substitute(entry.value, variables, mistakes_)) {
+      script_.substitutions.push_back(std::move(done));
+    }
+  }
+  config::MapReader map(root, "the task", mistakes_);
+  int version = 1;
+  if (map.require("striate")) map.integer("striate", version, {1, 1});
+  map.text("mission", task.mission);
+  map.raw("vars");
+  if (const Node* needs = map.raw("needs")) read_needs(*needs);
+  const Node* always = map.raw("always");
+  const Node* finally = map.raw("finally");
+  if (map.require("do")) build(always, *map.raw("do"), finally);
+  map.finish();
+  return std::move(script_);
+}
+
+Variables ScriptReader::variables_of(const Node& root) {
+  Variables variables;
+  if (const Node::Entry* entry = root.find("vars")) {
+    variables = read_variables(entry->value, mistakes_);
+  }
+  for (const auto& [name, variable] : variables) script_.task.variables.push_back(name);
+  needed_parameters(root, variables);
+  for (auto& [name, variable] : variables) {
+    script_.parameters.push_back(name);
+    if (const auto given = given_.find(name); given != given_.end()) variable = given->second;
+  }
+  return variables;
+}
+
+/// A parameter without a value of its own: given by `with`, or open while the file is checked
+/// alone.
+void ScriptReader::needed_parameters(const Node& root, Variables& variables) {
+  const Node::Entry* needs = root.find("needs");
+  const Node::Entry* list = needs == nullptr ? nullptr : needs->value.find("parameters");
+  if (list == nullptr) return;
+  for (const std::string& name : names(&list->value, "parameters")) {
+    Variable& variable = variables[name];
+    variable.value.kind = Node::Kind::scalar;
+    variable.value.open = true;
+    if (given_.find(name) != given_.end()) continue;
+    script_.missing.push_back(name);
+    const bool alone = context_.files.size() == 1;
+    if (!alone || context_.parameters_stay_open) continue;
+    mistakes_.add(fault::missing_parameter, list->value.place,
+                  fmt::format("the task needs the parameter '{}'", name),
+                  "run the task that uses it, or give it a value in vars");
+  }
+}
+
+std::vector<std::string> ScriptReader::names(const Node* node, const char* what) {
+  std::vector<std::string> list;
+  if (node == nullptr) return list;
+  const bool good = node->kind == Node::Kind::list &&
+                    std::all_of(node->items.begin(), node->items.end(),
+                                [](const Node& item) { return item.kind == Node::Kind::scalar; });
+  if (!good) {
+    mistakes_.add(fault::wrong_kind, node->place, fmt::format("'{}' must be a list of names", what),
+                  "write it like [book, door]");
+    return list;
+  }
+  for (const Node& item : node->items) list.push_back(item.text);
+  return list;
+}
+
+void ScriptReader::read_needs(const Node& node) {
+  config::MapReader map(node, "needs", mistakes_);
+  map.raw("parameters");
+  if (const Node* landmarks = map.raw("landmarks")) {
+    script_.task.landmarks = names(landmarks, "landmarks");
+    check_landmarks(*landmarks);
+  }
+  map.finish();
+}
+
+void ScriptReader::check_landmarks(const Node& list) {
+  if (context_.landmarks == nullptr) return;
+  const KnownLandmarks& known = *context_.landmarks;
+  for (const Node& item : list.items) {
+    if (std::find(known.begin(), known.end(), item.text) != known.end()) continue;
+    std::string hint = config::suggest(item.text, known);
+    if (hint.empty()) hint = "teach it first, or give another memory";
+    mistakes_.add(fault::unknown_landmark, item.place,
+                  fmt::format("the memory knows no landmark '{}'", item.text), hint);
+  }
+}
+
+std::vector<Guard> ScriptReader::read_always(const Node& node, Outline& outline) {
+  std::vector<Guard> guards;
+  if (node.kind != Node::Kind::list) {
+    mistakes_.add(fault::wrong_kind, node.place,
+                  fmt::format("'always' must be a list of guards, but is {}", node.describe()),
+                  "write '- fail_if: {battery_below: 20 %}'");
+    return guards;
+  }
+  for (const Node& item : node.items) read_guard(item, guards, outline);
+  return guards;
+}
+
+void ScriptReader::read_guard(const Node& node, std::vector<Guard>& guards, Outline& outline) {
+  static const std::vector<std::string> kKinds = {"pause_if", "fail_if"};
+  if (node.kind != Node::Kind::map || node.entries.size() != 1) {
+    mistakes_.add(
+        fault::wrong_kind, node.place,
+        fmt::format("a guard must be one 'pause_if' or 'fail_if', but is {}", node.describe()),
+        "write '- fail_if: {battery_below: 20 %}'");
+    return;
+  }
+  const Node::Entry& entry = node.entries.front();
+  if (std::find(kKinds.begin(), kKinds.end(), entry.key) == kKinds.end()) {
+    std::string hint = config::suggest(entry.key, kKinds);
+    if (hint.empty()) hint = "known: pause_if, fail_if";
+    mistakes_.add(fault::unknown_key, entry.key_place, fmt::format("unknown guard '{}'", entry.key),
+                  hint);
+    return;
+  }
+  Guard guard;
+  guard.kind = entry.key == kKinds[0] ? Guard::Kind::pause_if : Guard::Kind::fail_if;
+  guard.line = node.place.line;
+  guard.text = condition_text(entry.value);
+  guard.condition = read_condition(entry.value, mistakes_);
+  Outline shown;
+  shown.kind = Outline::Kind::guard;
+  shown.name = entry.key;
+  shown.until = guard.text;
+  shown.place = node.place;
+  outline.children.push_back(std::move(shown));
+  if (guard.condition) guards.push_back(std::move(guard));
+}
+
+void ScriptReader::build(const Node* always, const Node& steps, const Node* finally) {
+  Outline& outline = script_.task.outline;
+  outline.kind = Outline::Kind::task;
+  outline.name = script_.task.mission.empty() ? script_.task.file : script_.task.mission;
+  std::vector<Guard> guards;
+  if (always != nullptr) {
+    Outline shown;
+    shown.kind = Outline::Kind::always;
+    shown.name = "always";
+    guards = read_always(*always, shown);
+    outline.children.push_back(std::move(shown));
+  }
+  StepReader reader(context_, mistakes_);
+  Branch doing = reader.sequence(steps, "do");
+  Branch ending;
+  script_.flow = doing.flow;
+  outline.children.push_back(std::move(doing.outline));
+  if (finally != nullptr) {
+    ending = reader.sequence(*finally, "finally", true);
+    ending.outline.kind = Outline::Kind::finally;
+    script_.flow.motors = script_.flow.motors | ending.flow.motors;
+    outline.children.push_back(std::move(ending.outline));
+  }
+  script_.flow.fails = script_.flow.fails || !guards.empty();
+  script_.task.root =
+      std::make_unique<ScopeNode>(std::move(guards), std::move(doing.node), std::move(ending.node));
+}
+
+}  // namespace striate

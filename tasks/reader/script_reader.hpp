@@ -1,0 +1,47 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "tasks/reader/step_reader.hpp"
+#include "tasks/reader/variables.hpp"
+
+namespace striate {
+
+/// One file as it was read.
+struct Script {
+  Task task;
+  Flow flow;
+  std::vector<Substitution> substitutions;
+  std::vector<std::string> parameters;  ///< names that `with` may set: vars, needs.parameters
+  std::vector<std::string> missing;     ///< needed parameters that were not given
+};
+
+/// Reads one file: vars, needs, always, do, finally.
+class ScriptReader {
+ public:
+  /// @param given values of parameters and variables.
+  ScriptReader(ReadContext& context, const Variables& given, config::Mistakes& mistakes)
+      : context_(context), given_(given), mistakes_(mistakes) {}
+
+  Script read(config::Node root);
+
+ private:
+  /// What `$name` may stand for in this file.
+  Variables variables_of(const config::Node& root);
+  void needed_parameters(const config::Node& root, Variables& variables);
+  void read_needs(const config::Node& node);
+  std::vector<std::string> names(const config::Node* node, const char* what);
+  void check_landmarks(const config::Node& list);
+  std::vector<Guard> read_always(const config::Node& node, Outline& outline);
+  void read_guard(const config::Node& node, std::vector<Guard>& guards, Outline& outline);
+  void build(const config::Node* always, const config::Node& steps, const config::Node* finally);
+
+  ReadContext& context_;
+  const Variables& given_;
+  config::Mistakes& mistakes_;
+  Script script_;
+};
+
+}  // namespace striate

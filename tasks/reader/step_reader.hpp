@@ -1,0 +1,59 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "config/mistakes.hpp"
+#include "config/node.hpp"
+#include "platform/interface/robot.hpp"
+#include "tasks/reader/branch.hpp"
+#include "tasks/task_reader.hpp"
+
+namespace striate {
+
+/// What is the same for a script and all that it uses.
+struct ReadContext {
+  explicit ReadContext(const RobotDescription& of_robot) : robot(of_robot) {}
+
+  const RobotDescription& robot;
+  const KnownLandmarks* landmarks = nullptr;
+  bool parameters_stay_open = false;  ///< checked alone: a parameter fits every type
+  std::vector<std::string> files;     ///< the one being read last, before it those that use it
+  int steps_left = 5000;              ///< of all files together
+};
+
+/// Reads the steps of one file.
+class StepReader {
+ public:
+  StepReader(ReadContext& context, config::Mistakes& mistakes)
+      : context_(context), mistakes_(mistakes) {}
+
+  /// A list of steps as a sequence. `keep_going`: a failed one does not end it.
+  Branch sequence(const config::Node& list, const std::string& key, bool keep_going = false);
+
+ private:
+  std::vector<Branch> list(const config::Node& node, const std::string& key);
+  Branch step(const config::Node& node);
+  /// The one thing that a step does: an action or a group; the first where there are several.
+  Branch body(const config::Node& step);
+  Branch body_of(const config::Node::Entry& entry, const config::Node& step);
+  Branch action(const config::Node::Entry& entry);
+  Branch repeat(const config::Node::Entry& entry);
+  Branch attempts(const config::Node::Entry& entry);
+  Branch together(const config::Node::Entry& entry);
+  void unknown_action(const config::Node::Entry& entry);
+
+  // What the keys beside it make of a step, from the inside out.
+  void limit(const config::Node& step, Branch& branch);
+  void recover(const config::Node& step, Branch& branch);
+  void make_optional(const config::Node& step, Branch& branch);
+  void guard(const config::Node& step, Branch& branch);
+
+  ReadContext& context_;
+  config::Mistakes& mistakes_;
+};
+
+/// A step `use: file` with its `with`: the other file read with these parameters.
+Branch read_use(const config::Node& step, ReadContext& context, config::Mistakes& mistakes);
+
+}  // namespace striate

@@ -1,0 +1,56 @@
+#include "tasks/task_reader.hpp"
+
+#include <filesystem>
+
+#include "tasks/reader/script_reader.hpp"
+
+namespace striate {
+namespace {
+
+using config::Mistakes;
+using config::Node;
+
+Task read(Node root, ReadContext& context, const GivenVariables& given, Mistakes& mistakes) {
+  std::error_code code;
+  context.files.push_back(std::filesystem::weakly_canonical(mistakes.file(), code).string());
+  Variables variables;
+  for (const auto& [name, text] : given) {
+    Variable& variable = variables[name];
+    variable.value.kind = Node::Kind::scalar;
+    variable.value.text = text;
+    variable.origin = "given from outside";
+  }
+  return std::move(ScriptReader(context, variables, mistakes).read(std::move(root)).task);
+}
+
+Task load(const std::string& file, ReadContext& context, const GivenVariables& given) {
+  Mistakes mistakes(file, 'T');
+  Task task = read(load_yaml(mistakes), context, given, mistakes);
+  mistakes.throw_if_any();
+  return task;
+}
+
+}  // namespace
+
+Task load_task(const std::string& file, const RobotDescription& robot, const GivenVariables& given,
+               const KnownLandmarks* landmarks) {
+  ReadContext context(robot);
+  context.landmarks = landmarks;
+  return load(file, context, given);
+}
+
+Task check_task(const std::string& file, const RobotDescription& robot,
+                const KnownLandmarks* landmarks) {
+  ReadContext context(robot);
+  context.landmarks = landmarks;
+  context.parameters_stay_open = true;
+  return load(file, context, {});
+}
+
+Task read_task(const std::string& text, Mistakes& mistakes, const RobotDescription& robot,
+               const GivenVariables& given) {
+  ReadContext context(robot);
+  return read(parse_yaml(text, mistakes), context, given, mistakes);
+}
+
+}  // namespace striate

@@ -1,0 +1,169 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "config/map_reader.hpp"
+#include "tasks/fault.hpp"
+#include "tasks/reader/script_reader.hpp"
+
+namespace striate {
+namespace {
+
+using config::Mistakes;
+using config::Node;
+namespace fs = std::filesystem;
+
+constexpr std::size_t kDeepest = 8;  ///< files that use each other
+
+/// Reads the file that a step uses, with the step's parameters.
+class UseReader {
+ public:
+  UseReader(const Node& step, ReadContext& context, Mistakes& mistakes)
+      : step_(step), use_(*step.find("use")), context_(context), mistakes_(mistakes) {}
+
+  Branch read() {
+    Branch branch;
+    branch.outline.kind = Outline::Kind::use;
+    branch.outline.name = use_.value.text;
+    read_with(branch.outline);
+    if (!find_file()) return branch;
+    Mistakes of_file(file_, mistakes_.letter());
+    context_.files.push_back(identity_);
+    Script script = ScriptReader(context_, given_, of_file).read(load_yaml(of_file));
+    context_.files.pop_back();
+    tell(script, of_file);
+    branch.flow = script.flow;
+    branch.outline.children = std::move(script.task.outline.children);
+    branch.node = std::move(script.task.root);
+    return branch;
+  }
+
+ private:
+  void read_with(Outline& outline) {
+    const Node::Entry* with = step_.find("with");
+    if (with == nullptr) return;
+    if (with->value.kind != Node::Kind::map) {
+      mistakes_.add(fault::wrong_kind, with->value.place,
+                    fmt::format("'with' must be a map, but is {}", with->value.describe()),
+                    "write with: {speed: 0.4 m/s}");
+      return;
+    }
+    for (const Node::Entry& entry : with->value.entries) {
+      if (entry.value.kind != Node::Kind::scalar) {
+        mistakes_.add(fault::bad_variable, entry.value.place,
+                      fmt::format("the parameter '{}' must be one value", entry.key));
+      }
+      Variable& variable = given_[entry.key];
+      variable.value = entry.value;
+      variable.value.open = entry.value.open || entry.value.kind != Node::Kind::scalar;
+      variable.origin = fmt::format("given in {}:{}", mistakes_.file(), entry.value.place.line);
+      outline.arguments.emplace_back(entry.key, entry.value.text);
+    }
+  }
+
+  /// The file is looked for beside the one that uses it.
+  bool find_file() {
+    const Node& name = use_.value;
+    if (name.kind != Node::Kind::scalar || name.text.empty() || name.open) {
+      mistakes_.add(fault::wrong_kind, name.place, "'use' must be the name of a task file",
+                    "write '- use: return.yaml'");
+      return false;
+    }
+    const fs::path path = fs::path(mistakes_.file()).parent_path() / name.text;
+    std::error_code code;
+    if (!fs::is_regular_file(path, code)) {
+      mistakes_.add(fault::unknown_file, name.place,
+                    fmt::format("there is no task file '{}'", name.text), near_name(path));
+      return false;
+    }
+    file_ = path.lexically_normal().string();
+    identity_ = fs::canonical(path, code).string();
+    return !uses_itself() && !too_deep();
+  }
+
+  bool uses_itself() {
+    const auto& files = context_.files;
+    const auto found = std::find(files.begin(), files.end(), identity_);
+    if (found == files.end()) return false;
+    std::string chain;
+    for (auto file = found; file != files.end(); ++file) {
+      chain += fs::path(*file).filename().string() + " uses ";
+    }
+    chain += fs::path(identity_).filename().string();
+    mistakes_.add(fault::uses_itself, use_.value.place,
+                  fmt::format("a task must not use itself: {}", chain),
+                  "write 'repeat' for what is to be done again");
+    return true;
+  }
+
+  bool too_deep() {
+    if (context_.files.size() < kDeepest) return false;
+    mistakes_.add(fault::too_large, use_.value.place,
+                  fmt::format("more than {} files that use each other", kDeepest));
+    return true;
+  }
+
+  static std::string near_name(const fs::path& path) {
+    std::vector<std::string> names;
+    std::error_code code;
+    const fs::path folder = path.has_parent_path() ? path.parent_path() : ".";
+    for (fs::directory_iterator file(folder, code), end; !code && file != end;
+         file.increment(code)) {
+      if (file->path().extension() == ".yaml") names.push_back(file->path().filename().string());
+    }
+    std::sort(names.begin(), names.end());
+    const std::string hint = config::suggest(path.filename().string(), names);
+    return hint.empty() ? "the path counts from the file that uses it" : hint;
+  }
+
+  /// Mistakes of values that `with` gave belong to the file that gave them.
+  void tell(const Script& script, Mistakes& of_file) {
+    const Node::Entry* with = step_.find("with");
+    for (const auto& [name, variable] : given_) {
+      const Node::Entry* entry = with->value.find(name);
+      if (std::find(script.parameters.begin(), script.parameters.end(), name) ==
+          script.parameters.end()) {
+        if (!of_file.none() && script.parameters.empty()) continue;
+        std::string hint = config::suggest(name, script.parameters);
+        if (hint.empty()) hint = fmt::format("known: {}", fmt::join(script.parameters, ", "));
+        mistakes_.add(fault::unknown_parameter, entry->key_place,
+                      fmt::format("{} has no parameter '{}'", use_.value.text, name), hint);
+      }
+      for (const Substitution& done : script.substitutions) {
+        if (done.name == name) move_mistakes(of_file, done, entry->value.place);
+      }
+    }
+    for (const std::string& name : script.missing) {
+      mistakes_.add(fault::missing_parameter, use_.value.place,
+                    fmt::format("{} needs the parameter '{}'", use_.value.text, name),
+                    fmt::format("add with: {{{}: ...}}", name));
+    }
+    mistakes_.include(of_file);
+  }
+
+  void move_mistakes(Mistakes& of_file, const Substitution& done, config::Place to) {
+    for (config::Mistake& mistake : of_file.take_at(done.place)) {
+      std::string hint = fmt::format("used as ${} in {}:{}:{}", done.name, file_, done.place.line,
+                                     done.place.column);
+      if (!mistake.hint.empty()) hint.insert(0, mistake.hint + "\n    ");
+      mistakes_.add(mistake.fault, to, std::move(mistake.message), std::move(hint));
+    }
+  }
+
+  const Node& step_;
+  const Node::Entry& use_;
+  ReadContext& context_;
+  Mistakes& mistakes_;
+  Variables given_;
+  std::string file_;
+  std::string identity_;
+};
+
+}  // namespace
+
+Branch read_use(const Node& step, ReadContext& context, Mistakes& mistakes) {
+  return UseReader(step, context, mistakes).read();
+}
+
+}  // namespace striate
