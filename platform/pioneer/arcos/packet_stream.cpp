@@ -17,6 +17,11 @@ void PacketStream::push(ByteView bytes) {
   append(buffer_, bytes);
 }
 
+void PacketStream::clear() {
+  buffer_.clear();
+  at_ = 0;
+}
+
 void PacketStream::drop(std::size_t count) {
   at_ += count;
   counters_.junk_bytes += count;

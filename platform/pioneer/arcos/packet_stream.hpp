@@ -31,6 +31,9 @@ class PacketStream {
   /// than ever comes. Call `next` again afterwards.
   void give_up_waiting();
 
+  /// Forgets what has not been read yet; the counters stay.
+  void clear();
+
   [[nodiscard]] const StreamCounters& counters() const { return counters_; }
 
  private:
