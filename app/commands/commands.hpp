@@ -10,6 +10,7 @@ void add_run_command(CLI::App& app, int& exit_code);
 void add_trial_command(CLI::App& app, int& exit_code);
 void add_perceive_command(CLI::App& app, int& exit_code);
 void add_sim_command(CLI::App& app, int& exit_code);
+void add_drive_command(CLI::App& app, int& exit_code);
 void add_check_command(CLI::App& app, int& exit_code);
 void add_config_command(CLI::App& app, int& exit_code);
 void add_eval_command(CLI::App& app, int& exit_code);
