@@ -15,7 +15,7 @@ struct ServeSettings {
   std::string address = "127.0.0.1";
   int port = 8101;   ///< 0: any free one
   bool pty = false;  ///< a pseudo-terminal instead of TCP
-  LineFaults faults;
+  LineFaults faults{};
   std::uint64_t seed = 1;  ///< of the faults
 };
 

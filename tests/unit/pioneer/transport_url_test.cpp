@@ -1,7 +1,8 @@
+#include "platform/pioneer/transport_url.hpp"
+
 #include <gtest/gtest.h>
 
 #include "config/user_error.hpp"
-#include "platform/pioneer/transport_url.hpp"
 
 namespace striate::pioneer {
 namespace {
@@ -20,9 +21,9 @@ TEST(TransportUrl, TellsTcpFromSerial) {
 }
 
 TEST(TransportUrl, RefusesEverythingElse) {
-  for (const char* text : {"", "tcp://", "tcp://:8101", "tcp://h:0", "tcp://h:70000", "tcp://h:x",
-                           "serial:ttyUSB0", "serial:/dev/ttyS0?baud=1200", "serial:/dev/a?x=1",
-                           "http://h", "/dev/ttyS0"}) {
+  for (const char* text :
+       {"", "tcp://", "tcp://:8101", "tcp://h:0", "tcp://h:70000", "tcp://h:x", "serial:ttyUSB0",
+        "serial:/dev/ttyS0?baud=1200", "serial:/dev/a?x=1", "http://h", "/dev/ttyS0"}) {
     EXPECT_THROW((void)parse_transport_url(text), UserError) << text;
   }
 }
