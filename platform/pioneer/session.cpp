@@ -16,6 +16,7 @@ constexpr Duration kConfigAgain = std::chrono::milliseconds(200);
 constexpr Duration kConfigPatience = std::chrono::milliseconds(1000);
 constexpr Duration kOpenAgain = std::chrono::milliseconds(500);
 constexpr Duration kAfterClose = std::chrono::milliseconds(150);
+constexpr Duration kListen = std::chrono::milliseconds(250);
 constexpr int kMostRestarts = 10;
 
 /// 0 in a CONFIGpac means that the firmware does not say.
@@ -92,11 +93,13 @@ void Session::lose(TimePoint now, const std::string& why) {
 void Session::begin_sync(TimePoint now) {
   state_ = SessionState::syncing;
   state_since_ = now;
-  sync_step_ = 0;
   silent_syncs_ = 0;
-  // SYNC0 is PULSE to a robot that believes in an older connection, and wakes its old motion.
-  send(command(Command::stop));
-  send_sync(now);
+  // SYNC0 is PULSE to a robot that believes in an older connection, and wakes its old motion; and
+  // no other word may come before SYNC0 where there is none. So listen first: the robot of an open
+  // connection speaks every 100 ms.
+  sync_step_ = -1;
+  closing_old_ = false;
+  sent_at_ = now;
 }
 
 void Session::send_sync(TimePoint now) {
@@ -135,8 +138,10 @@ void Session::handle(const arcos::Packet& packet, TimePoint now) {
 void Session::handle_syncing(const arcos::Packet& packet, TimePoint now) {
   if (arcos::is_sip(packet)) {
     // It still believes in an older connection: end that one first, then begin again.
-    if (sync_step_ >= 0) {
+    if (sync_step_ >= 0 || !closing_old_ || now - sent_at_ >= kAfterClose) {
+      send(command(Command::stop));
       send(command(Command::close, 1));
+      closing_old_ = true;
       sync_again(now);
     }
     return;
@@ -265,7 +270,7 @@ void Session::tell_limits() {
 
 void Session::tick_syncing(TimePoint now) {
   if (sync_step_ < 0) {
-    if (now - sent_at_ < kAfterClose) return;
+    if (now - sent_at_ < (closing_old_ ? kAfterClose : kListen)) return;
   } else {
     if (now - sent_at_ < from_seconds(settings_.sync_wait_s)) return;
     if (++silent_syncs_ >= settings_.sync_tries) {

@@ -101,7 +101,8 @@ class Session {
   std::string trouble_;
 
   bool line_is_up_ = false;
-  int sync_step_ = 0;
+  int sync_step_ = 0;  ///< -1: listens, or waits for an older connection to end
+  bool closing_old_ = false;
   int silent_syncs_ = 0;
   int restarts_ = 0;
   TimePoint state_since_;

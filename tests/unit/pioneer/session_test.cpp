@@ -24,7 +24,11 @@ TEST(Session, SpeaksTheHandshakeAndStopsBeforeAnythingElse) {
   Session session({});
   TimePoint now;
   session.line_up(now);
-  EXPECT_EQ(session.take_output(), joined({command(Command::stop), command(Command::sync0)}));
+  session.tick(now);
+  EXPECT_TRUE(session.take_output().empty()) << "it listens first";
+  now += std::chrono::milliseconds(260);
+  session.tick(now);
+  EXPECT_EQ(session.take_output(), command(Command::sync0));
   session.receive(command(Command::sync0), now);
   EXPECT_EQ(session.take_output(), command(Command::sync1));
   session.receive(command(Command::sync1), now);
@@ -49,6 +53,8 @@ TEST(Session, GoesOnWithoutAConfigurationAfterASecond) {
   Session session({});
   TimePoint now;
   session.line_up(now);
+  now += std::chrono::milliseconds(260);
+  session.tick(now);
   session.receive(command(Command::sync0), now);
   session.receive(command(Command::sync1), now);
   session.receive(arcos::encode(arcos::write_names({"old", "Pioneer", "p3dx"})), now);
@@ -77,19 +83,28 @@ TEST(Session, RefusesARobotOfAnUnknownKindUnlessForced) {
   EXPECT_LT(forced.run_until([&] { return ready(forced); }), 1.0);
 }
 
-TEST(Session, EndsAnOlderConnectionFirst) {
-  TestBed bed;
-  bed.run_until([&] { return ready(bed); });
-  // Another program takes over the line without a good-bye of the first.
-  BaseDriver second({}, bed.line);
-  bed.program_runs = false;
-  double waited_s = 0.0;
-  while (second.session().state() != SessionState::ready && waited_s < 5.0) {
-    bed.step();
-    second.step(bed.now);
-    waited_s += 0.01;
+TEST(Session, EndsAnOlderConnectionFirstAndItsMotionDoesNotWake) {
+  for (const double pause_s : {0.0, 4.0}) {
+    TestBed bed;
+    bed.drive();
+    // The program dies without a good-bye; another one takes over the line.
+    bed.program_runs = false;
+    bed.run(pause_s);
+    const double before_m = bed.senses.true_pose.x_m;
+    bed.line.to_program.clear();
+    BaseDriver second({}, bed.line);
+    double waited_s = 0.0;
+    while (second.session().state() != SessionState::ready && waited_s < 5.0) {
+      bed.step();
+      second.step(bed.now);
+      waited_s += 0.01;
+      if (pause_s > 0.0) {
+        ASSERT_EQ(bed.firmware.forward_m_s(), 0.0);
+      }
+    }
+    EXPECT_LT(waited_s, 2.0);
+    EXPECT_LT(bed.senses.true_pose.x_m - before_m, 0.3);
   }
-  EXPECT_LT(waited_s, 2.0);
 }
 
 TEST(Session, ComesThroughAHandshakeOfWhichAnyAnswerIsLost) {
