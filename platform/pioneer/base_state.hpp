@@ -23,6 +23,7 @@ struct BaseState {
   bool told = false;
   Odometry odometry;
   std::array<DiscReading, kSonarDiscs> sonar;
+  RangeScan laser;  ///< from the axle; empty: none has come
   double battery_v = 0.0;
   bool stalled_left = false;
   bool stalled_right = false;
@@ -41,8 +42,13 @@ class BaseTracker {
   /// Bumpers count only where the robot says that it has some: elsewhere the bits float.
   void use_bumpers(bool front, bool rear);
   /// The next packet only seeds the odometry: after a new connection.
-  void seed_again() { seeded_ = false; }
+  void seed_again() {
+    seeded_ = false;
+    state_.laser.readings.clear();
+  }
   void take(const arcos::Sip& sip, TimePoint stamp);
+  /// A whole sweep over the front half circle, from right to left.
+  void take_laser(const std::vector<std::uint16_t>& ranges_mm, TimePoint stamp);
   void take_joystick(bool pressed) { state_.joystick_pressed = pressed; }
   [[nodiscard]] const BaseState& state() const { return state_; }
 

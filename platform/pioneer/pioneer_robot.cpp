@@ -29,6 +29,7 @@ void fill_senses(const BaseState& base, TimePoint now, Senses& senses) {
     senses.sonar.readings.push_back(from_axle(sonar_disc(disc), reading.range_m));
     senses.sonar.stamp = std::max(senses.sonar.stamp, reading.stamp);
   }
+  senses.laser = base.laser;
   senses.battery_v = base.battery_v;
   senses.bumper = base.bumper_front || base.bumper_rear;
   senses.motors_stalled = base.stalled_left || base.stalled_right;

@@ -41,6 +41,8 @@ const char* name_of(HoldReason reason) {
       return "a bumper is pressed";
     case HoldReason::battery_low:
       return "the battery is low";
+    case HoldReason::laser_stale:
+      return "the laser is silent";
     case HoldReason::robot_silent:
       return "the robot is silent";
     case HoldReason::not_ready:
@@ -183,6 +185,11 @@ void SafetyGate::limit_by_touch(Motion& motion, TimePoint now) {
   }
 }
 
+bool SafetyGate::laser_is_stale(TimePoint now) const {
+  const RangeScan& laser = session_.base().laser;
+  return !laser.readings.empty() && now - laser.stamp > from_seconds(settings_.laser_stale_s);
+}
+
 SafetyGate::Motion SafetyGate::allowed(TimePoint now) {
   reason_ = HoldReason::none;
   if (latch_ != HoldReason::none) {
@@ -197,6 +204,8 @@ SafetyGate::Motion SafetyGate::allowed(TimePoint now) {
     reason_ = HoldReason::command_old;
   } else if (session_.base().battery_v < settings_.battery_stop_v) {
     reason_ = HoldReason::battery_low;
+  } else if (laser_is_stale(now)) {
+    reason_ = HoldReason::laser_stale;
   }
   if (reason_ != HoldReason::none) return {};
   Motion motion{1000.0 * command_.forward_m_s, degrees(command_.turn_rad_s)};

@@ -10,6 +10,7 @@ struct SafetyGateSettings {
   double command_lease_s = 0.5;
   double silence_s = 0.3;
   double send_every_s = 0.1;
+  double laser_stale_s = 0.5;
   double stall_pause_s = 1.0;
   bool sonar = true;
   double sonar_stop_m = 0.10;
@@ -26,6 +27,8 @@ void visit(V& v, SafetyGateSettings& s) {
            "without a packet from the robot for so long it is told to stand");
   v.number("send_every", s.send_every_s, Unit::duration, {0.02, 0.4},
            "a command is repeated, which is the sign of life, too");
+  v.number("laser_stale", s.laser_stale_s, Unit::duration, {0.2, 5.0},
+           "a laser that has spoken and is silent for so long stops the robot");
   v.number("stall_pause", s.stall_pause_s, Unit::duration, {0.0, 10.0},
            "after a stall no push the same way for so long");
   v.flag("sonar", s.sonar, "the front and rear discs may slow and stop the robot");
@@ -46,6 +49,7 @@ enum class HoldReason : std::uint8_t {
   stalled,
   bumper,
   battery_low,
+  laser_stale,
   robot_silent,
   not_ready,   ///< no connection yet
   link_lost,   ///< latched: there was a connection, it broke
@@ -92,6 +96,7 @@ class SafetyGate {
   void watch_joystick(TimePoint now);
   void latch(HoldReason why, TimePoint now);
   void gap(TimePoint now);
+  [[nodiscard]] bool laser_is_stale(TimePoint now) const;
   [[nodiscard]] Motion allowed(TimePoint now);
   void limit_by_touch(Motion& motion, TimePoint now);
   void limit_by_sonar(Motion& motion, TimePoint now);

@@ -206,6 +206,11 @@ void Session::handle_open(const arcos::Packet& packet, TimePoint now) {
       tracker_.take_joystick(joystick->button1);
       return;
     }
+  } else if (packet.id == arcos::SimLaser::kId) {
+    if (const auto part = arcos::read_sim_laser(packet)) {
+      if (sweep_.take(*part)) tracker_.take_laser(sweep_.ranges_mm(), now);
+      return;
+    }
   } else if (packet.id == arcos::SimStat::kId) {
     true_pose_ = arcos::read_sim_stat(packet);
     if (true_pose_) return;
@@ -240,6 +245,16 @@ void Session::get_ready(TimePoint now) {
   back_off_s_ = 0.0;
   trouble_.clear();
   tell_limits();
+  ask_for_laser();
+}
+
+void Session::ask_for_laser() {
+  const bool simulated = config_ && config_->serial == "SIM";
+  if (!simulated || !settings_.simulated_laser) return;
+  send(command(Command::laser_start, -90));
+  send(command(Command::laser_end, 90));
+  send(command(Command::laser_increment, 100));  // 0.01 deg
+  send(command(Command::laser_mode, 2));
 }
 
 double Session::most_forward_mm_s() const {

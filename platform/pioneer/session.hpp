@@ -86,12 +86,14 @@ class Session {
   void meet(const arcos::RobotNames& names, TimePoint now);
   void get_ready(TimePoint now);
   void tell_limits();
+  void ask_for_laser();
   void lose(TimePoint now, const std::string& why);
 
   SessionSettings settings_;
   SessionState state_ = SessionState::waiting;
   arcos::PacketStream stream_;
   BaseTracker tracker_;
+  arcos::SimLaserSweep sweep_;
   RobotModel model_;
   arcos::RobotNames names_;
   std::optional<arcos::ConfigPac> config_;

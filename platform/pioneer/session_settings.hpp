@@ -7,6 +7,7 @@ namespace striate::pioneer {
 struct SessionSettings {
   bool force_unknown_model = false;
   bool joystick_may_drive = true;
+  bool simulated_laser = true;
   double sync_wait_s = 1.0;
   int sync_tries = 5;
   double lost_after_s = 2.0;
@@ -24,6 +25,8 @@ void visit(V& v, SessionSettings& s) {
   v.flag("force_unknown_model", s.force_unknown_model,
          "drive a robot of an unknown kind with the factors of p3dx-sh");
   v.flag("joystick_may_drive", s.joystick_may_drive, "the joystick's button takes over");
+  v.flag("simulated_laser", s.simulated_laser,
+         "asks a simulated robot for the laser inside its packets");
   v.number("sync_wait", s.sync_wait_s, Unit::duration, {0.1, 10.0},
            "for the answer to one step of the handshake");
   v.integer("sync_tries", s.sync_tries, {1, 50}, "silent steps until the link is opened anew");

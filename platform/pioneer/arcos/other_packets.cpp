@@ -101,6 +101,21 @@ std::optional<SimLaser> read_sim_laser(const Packet& packet) {
   return laser;
 }
 
+bool SimLaserSweep::take(const SimLaser& part) {
+  if (part.first == 0) {
+    next_ = 0;
+    ranges_mm_.assign(part.total, 0);
+  }
+  const std::size_t end = part.first + part.ranges_mm.size();
+  if (part.first != next_ || part.total != ranges_mm_.size() || end > ranges_mm_.size()) {
+    next_ = ranges_mm_.size() + 1;  // wait for the next sweep
+    return false;
+  }
+  std::copy(part.ranges_mm.begin(), part.ranges_mm.end(), ranges_mm_.begin() + part.first);
+  next_ = end;
+  return end == ranges_mm_.size() && end > 0;
+}
+
 std::vector<Packet> write_sim_laser(const std::vector<std::uint16_t>& ranges_mm) {
   std::vector<Packet> packets;
   for (std::size_t first = 0; first < ranges_mm.size(); first += SimLaser::kMostReadings) {

@@ -58,6 +58,17 @@ struct SimLaser {
   std::vector<std::uint16_t> ranges_mm;
 };
 [[nodiscard]] std::optional<SimLaser> read_sim_laser(const Packet& packet);
+/// Puts the parts of sweeps together.
+class SimLaserSweep {
+ public:
+  /// True when this part completes a sweep, which `ranges_mm` then holds.
+  bool take(const SimLaser& part);
+  [[nodiscard]] const std::vector<std::uint16_t>& ranges_mm() const { return ranges_mm_; }
+
+ private:
+  std::vector<std::uint16_t> ranges_mm_;
+  std::size_t next_ = 0;  ///< the part that is due; a lost one loses its sweep
+};
 /// A sweep as the packets it takes.
 [[nodiscard]] std::vector<Packet> write_sim_laser(const std::vector<std::uint16_t>& ranges_mm);
 

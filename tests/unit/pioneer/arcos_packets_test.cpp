@@ -178,6 +178,20 @@ TEST(ArcosSimPackets, TellTheTruthAndALaser) {
   EXPECT_FALSE(read_sim_laser({SimLaser::kId, {1, 0, 0, 0, 32, 5}}));
 }
 
+TEST(ArcosSimPackets, ASweepWithALostPartIsNone) {
+  const std::vector<Packet> packets = write_sim_laser(std::vector<std::uint16_t>(181, 700));
+  SimLaserSweep sweep;
+  for (std::size_t lost = 0; lost < packets.size(); ++lost) {
+    int whole = 0;
+    for (std::size_t i = 0; i < packets.size(); ++i) {
+      if (i != lost) whole += sweep.take(*read_sim_laser(packets[i])) ? 1 : 0;
+    }
+    EXPECT_EQ(whole, 0) << lost;
+    for (const Packet& packet : packets) whole += sweep.take(*read_sim_laser(packet)) ? 1 : 0;
+    EXPECT_EQ(whole, 1) << lost;
+  }
+}
+
 TEST(ArcosCaptures, AreUnderstoodPacketByPacket) {
   const auto files = reference::arcos_captures(STRIATE_SHARED_DATA);
   if (files.empty()) GTEST_SKIP() << "no captures below " STRIATE_SHARED_DATA;

@@ -276,6 +276,18 @@ TEST(SafetyGate, AStallOrABumperEndsThePush) {
   EXPECT_LT(bed.firmware.forward_m_s(), -0.19);
 }
 
+TEST(SafetyGate, ALaserThatFallsSilentStopsTheRobot) {
+  TestBed bed;
+  bed.drive();
+  ASSERT_EQ(bed.base().laser.readings.size(), 181u);
+  bed.laser_speaks = false;
+  const double took_s = until_commanded(bed);
+  EXPECT_GT(took_s, 0.35);
+  EXPECT_LE(took_s, 0.5 + 2 * kStep_s);
+  EXPECT_EQ(bed.driver.gate().reason(), HoldReason::laser_stale);
+  expect_still(bed, 2.0);
+}
+
 TEST(SafetyGate, AnEmptyBatteryStands) {
   TestBed bed;
   bed.drive();

@@ -74,6 +74,7 @@ class TestBed {
       firmware.sonar(disc, front_m);
       firmware.sonar(8 + disc, std::numeric_limits<double>::infinity());
     }
+    if (laser_speaks && steps_ % 10 == 0) firmware.laser(std::vector<std::uint16_t>(181, 3000));
     Bytes answer = firmware.take_output();
     if (!robot_speaks) answer.clear();
     if (spoil) spoil(answer);
@@ -108,6 +109,7 @@ class TestBed {
   bool program_runs = true;
   bool robot_hears = true;
   bool robot_speaks = true;
+  bool laser_speaks = true;
 
  private:
   int steps_ = 0;
