@@ -43,6 +43,8 @@ const char* name_of(HoldReason reason) {
       return "the battery is low";
     case HoldReason::laser_stale:
       return "the laser is silent";
+    case HoldReason::head_fails:
+      return "the head does not obey";
     case HoldReason::robot_silent:
       return "the robot is silent";
     case HoldReason::not_ready:
@@ -206,6 +208,8 @@ SafetyGate::Motion SafetyGate::allowed(TimePoint now) {
     reason_ = HoldReason::battery_low;
   } else if (laser_is_stale(now)) {
     reason_ = HoldReason::laser_stale;
+  } else if (!head_ok_) {
+    reason_ = HoldReason::head_fails;
   }
   if (reason_ != HoldReason::none) return {};
   Motion motion{1000.0 * command_.forward_m_s, degrees(command_.turn_rad_s)};

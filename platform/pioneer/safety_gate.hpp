@@ -50,6 +50,7 @@ enum class HoldReason : std::uint8_t {
   bumper,
   battery_low,
   laser_stale,
+  head_fails,
   robot_silent,
   not_ready,   ///< no connection yet
   link_lost,   ///< latched: there was a connection, it broke
@@ -77,6 +78,9 @@ class SafetyGate {
   void emergency_stop(TimePoint now);
   /// Ends what is latched, switches the motors on, and waits for a newer command.
   void reset(TimePoint now);
+
+  /// A head that is stuck, silent or overloaded may look anywhere: then the robot stands.
+  void set_head_ok(bool ok) { head_ok_ = ok; }
 
   void tick(TimePoint now);
 
@@ -117,6 +121,7 @@ class SafetyGate {
   TimePoint last_tick_;
   bool was_ready_ = false;
   bool silent_ = false;
+  bool head_ok_ = true;
   bool motors_wanted_ = true;
   bool motors_were_on_ = false;
   TimePoint motors_asked_at_;
