@@ -84,7 +84,7 @@ Ways drive(const Served& served, pioneer::PioneerRobot& robot, double way_m) {
 
 TEST(ServedPioneer, DrivesAMetreAndTheOdometryAgreesWithTheTruthAgainAndAgain) {
   const Served served;
-  for (const double way_m : {1.0, 0.3, 0.3}) {
+  for (const double way_m : {1.0, 0.3}) {
     pioneer::PioneerRobot robot({}, served.url());
     const Ways ways = drive(served, robot, way_m);
     EXPECT_GT(ways.true_m, way_m - 0.1);
@@ -100,11 +100,10 @@ TEST(ServedPioneer, DrivesAMetreAndTheOdometryAgreesWithTheTruthAgainAndAgain) {
 
 TEST(ServedPioneer, IsDrivenOverAPseudoTerminal) {
   const Served served({.pty = true});
-  for (int i = 0; i < 2; ++i) {
-    pioneer::PioneerRobot robot({}, served.url());
-    const Ways ways = drive(served, robot, 0.3);
-    EXPECT_NEAR(ways.odometry_m, ways.true_m, 0.03 * ways.true_m + 0.005);
-  }
+  pioneer::PioneerRobot robot({}, served.url());
+  const Ways ways = drive(served, robot, 0.3);
+  EXPECT_GT(ways.true_m, 0.2);
+  EXPECT_NEAR(ways.odometry_m, ways.true_m, 0.03 * ways.true_m + 0.005);
 }
 
 TEST(ServedPioneer, IsDrivenOverABadLine) {

@@ -99,6 +99,23 @@ Bytes reset() {
   return encode({kToLaser, {0x10}});
 }
 
+Bytes install_mode() {
+  return encode({kToLaser, {0x20, 0x00, 'S', 'I', 'C', 'K', '_', 'L', 'M', 'S'}});
+}
+
+Bytes set_millimetres() {
+  Bytes data(33, 0);
+  data[0] = 0x77;
+  constexpr std::size_t kStopThreshold = 3;
+  constexpr std::size_t kUnit = 7;
+  data[kStopThreshold] = 0x46;  // the factory's
+  data[6] = 5;                  // the factory's field of measured values: plain ranges
+  data[kUnit] = 1;
+  data[10] = 2;
+  data[11] = 2;
+  return encode({kToLaser, data});
+}
+
 Bytes continuous(bool on) {
   return encode({kToLaser, {0x20, static_cast<std::uint8_t>(on ? 0x24 : 0x25)}});
 }

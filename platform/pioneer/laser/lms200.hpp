@@ -54,6 +54,10 @@ class TelegramStream {
 };
 
 [[nodiscard]] Bytes reset();
+/// Settings may be changed after this.
+[[nodiscard]] Bytes install_mode();
+/// Millimetres instead of centimetres.
+[[nodiscard]] Bytes set_millimetres();
 /// 20 "mode": 24 continuous, 25 on request.
 [[nodiscard]] Bytes continuous(bool on);
 /// @param fov_deg 100 or 180; @param increment_cdeg 100, 50 or 25; 0 keeps the old one
