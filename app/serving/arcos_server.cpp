@@ -1,19 +1,17 @@
 #include "app/serving/arcos_server.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <termios.h>
-#include <unistd.h>
 
 #include <array>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/posix/stream_descriptor.hpp>
 #include <boost/asio/write.hpp>
-#include <cstdlib>
 #include <optional>
 #include <stdexcept>
 #include <thread>
+
+#include "app/serving/pseudo_terminal.hpp"
 
 namespace striate {
 namespace {
@@ -27,33 +25,6 @@ using pioneer::Bytes;
 constexpr std::size_t kMostWaiting = 1 << 16;
 /// Later than this the clock is set anew instead of catching up in a burst.
 constexpr auto kMostLate = std::chrono::milliseconds(200);
-
-/// A pseudo-terminal whose other end anybody may open.
-class PseudoTerminal {
- public:
-  PseudoTerminal() : master_(posix_openpt(O_RDWR | O_NOCTTY | O_NONBLOCK)) {
-    if (master_ < 0 || grantpt(master_) != 0 || unlockpt(master_) != 0) {
-      throw std::runtime_error("no pseudo-terminal is to be had");
-    }
-    name_ = ptsname(master_);
-    // Held open, so that a client that leaves does not end the line.
-    slave_ = ::open(name_.c_str(), O_RDWR | O_NOCTTY);
-    termios raw{};
-    if (slave_ < 0 || tcgetattr(slave_, &raw) != 0) throw std::runtime_error(name_ + ": no access");
-    cfmakeraw(&raw);
-    tcsetattr(slave_, TCSANOW, &raw);
-  }
-  ~PseudoTerminal() { ::close(slave_); }
-  PseudoTerminal(const PseudoTerminal&) = delete;
-  PseudoTerminal& operator=(const PseudoTerminal&) = delete;
-  [[nodiscard]] int master() const { return master_; }  ///< its user closes it
-  [[nodiscard]] const std::string& name() const { return name_; }
-
- private:
-  int master_;
-  int slave_ = -1;
-  std::string name_;
-};
 
 }  // namespace
 

@@ -2,6 +2,7 @@
 
 #include "config/settings.hpp"
 #include "platform/interface/motor_command.hpp"
+#include "platform/pioneer/hold_reason.hpp"
 #include "platform/pioneer/session.hpp"
 
 namespace striate::pioneer {
@@ -38,27 +39,6 @@ void visit(V& v, SafetyGateSettings& s) {
   v.number("battery_stop", s.battery_stop_v, Unit::none, {0.0, 60.0},
            "volts: below it the robot stands");
 }
-
-/// Why the robot stands, or is slower than it was told to be.
-enum class HoldReason : std::uint8_t {
-  none,
-  no_command,  ///< none is newer than the last gap
-  command_old,
-  slowed,    ///< an echo is near
-  obstacle,  ///< an echo is too near
-  stalled,
-  bumper,
-  battery_low,
-  laser_stale,
-  head_fails,
-  robot_silent,
-  not_ready,   ///< no connection yet
-  link_lost,   ///< latched: there was a connection, it broke
-  motors_off,  ///< latched: the robot has switched its motors off
-  joystick,    ///< latched: somebody drives by hand
-  emergency,   ///< latched
-};
-[[nodiscard]] const char* name_of(HoldReason reason);
 
 /// The only sender of motion. Every few 10 ms it decides from the newest command, its age, and what
 /// the robot says, and sends forward and turning speed. Pure: times are injected.
