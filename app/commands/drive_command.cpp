@@ -6,6 +6,7 @@
 
 #include "app/commands/commands.hpp"
 #include "app/interrupt.hpp"
+#include "app/robot_settings.hpp"
 #include "platform/pioneer/pioneer_robot.hpp"
 
 namespace striate {
@@ -13,6 +14,7 @@ namespace {
 
 struct DriveOptions {
   std::string url;
+  std::string robot;
   double forward_m_s = 0.0;
   double turn_deg_s = 0.0;
   double for_s = 0.0;
@@ -33,13 +35,13 @@ void print_state(const Senses& senses, const pioneer::DriverReport& report) {
 }
 
 /// The way or the time that was asked for is over.
-bool done(const DriveOptions& options, const Senses& senses, double since_s) {
+bool done(const DriveOptions& options, const Senses& senses, double since_s, double braking_m_s2) {
   if (Interrupt::requested() || since_s > kLongestDrive_s) return true;
   if (options.way_m <= 0.0) return since_s >= options.for_s;
   const Pose2& pose = senses.odometry.pose;
   // It rolls on while it brakes.
   const double v = senses.odometry.forward_m_s;
-  const double braking_m = v * v / (2.0 * pioneer::SessionSettings().acceleration_m_s2);
+  const double braking_m = v * v / (2.0 * braking_m_s2);
   return std::hypot(pose.x_m, pose.y_m) + braking_m >= options.way_m;
 }
 
@@ -54,8 +56,8 @@ void print_counters(const pioneer::LinkCounters& counters) {
 
 int drive(const DriveOptions& options) {
   const Interrupt interrupt;
-  pioneer::BaseDriverSettings settings;
-  settings.session.force_unknown_model = options.force;
+  pioneer::BaseDriverSettings settings = load_robot_settings(options.robot).pioneer;
+  if (options.force) settings.session.force_unknown_model = true;
   pioneer::PioneerRobot robot(settings, options.url);
   fmt::print("connected to {}\n", robot.driver().report().robot);
   Senses senses;
@@ -63,7 +65,8 @@ int drive(const DriveOptions& options) {
   const double began_s = to_seconds(senses.now);
   const MotorCommand command{.forward_m_s = options.forward_m_s,
                              .turn_rad_s = radians(options.turn_deg_s)};
-  while (!done(options, senses, to_seconds(senses.now) - began_s)) {
+  while (!done(options, senses, to_seconds(senses.now) - began_s,
+               settings.session.acceleration_m_s2)) {
     robot.send(command);
     robot.sense(senses);
     print_state(senses, robot.driver().report());
@@ -91,11 +94,11 @@ int drive(const DriveOptions& options) {
 
 void add_drive_command(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<DriveOptions>();
-  CLI::App* command =
-      app.add_subcommand("drive",
-                         "Drives a Pioneer, real or served, and tells what it says.\n"
-                         "Examples: striate drive tcp://localhost:8101 --forward 0.3 --way 1\n"
-                         "          striate drive serial:/dev/ttyUSB0?baud=9600");
+  CLI::App* command = app.add_subcommand(
+      "drive",
+      "Drives a Pioneer, real or served, and tells what it says.\n"
+      "Examples: striate drive tcp://localhost:8101 --forward 0.3 --way 1\n"
+      "          striate drive serial:/dev/ttyUSB0?baud=9600 --robot config/robots/pioneer.yaml");
   command
       ->add_option("robot", options->url,
                    "tcp://host:8101, serial:/dev/ttyUSB0?baud=38400 or pty:/dev/pts/3")
@@ -107,6 +110,7 @@ void add_drive_command(CLI::App& app, int& exit_code) {
   command->add_option("--for", options->for_s, "seconds")->check(CLI::Range(0.0, kLongestDrive_s));
   command->add_option("--way", options->way_m, "stops after so many metres instead")
       ->check(CLI::Range(0.0, 100.0));
+  command->add_option("--robot", options->robot, "settings; the section 'pioneer' counts");
   command->add_flag("--force", options->force, "drives a robot of an unknown kind, too");
   command->callback([options, &exit_code] { exit_code = drive(*options); });
 }

@@ -1,21 +1,11 @@
 #pragma once
 
+#include "platform/pioneer/base_driver_settings.hpp"
 #include "platform/pioneer/safety_gate.hpp"
 #include "platform/pioneer/session.hpp"
 #include "platform/pioneer/transport.hpp"
 
 namespace striate::pioneer {
-
-struct BaseDriverSettings {
-  SessionSettings session;
-  SafetyGateSettings gate;
-};
-
-template <class V>
-void visit(V& v, BaseDriverSettings& s) {
-  v.section("session", s.session);
-  v.section("gate", s.gate);
-}
 
 /// Session, gate and transport as one: `step` every few 10 ms moves bytes and decides. No thread,
 /// no clock; DriverThread gives it both.

@@ -190,6 +190,63 @@ TEST(Session, ConnectsDrivesAndDisconnectsAgainAndAgain) {
   }
 }
 
+/// The firmware on wheels that follow it exactly.
+struct RollingFirmware {
+  void run_to(double time_s) {
+    while (to_seconds(now) < time_s) {
+      now += TestBed::kStep;
+      const double dt_s = to_seconds(TestBed::kStep);
+      Pose2& pose = senses.odometry.pose;
+      pose.heading_rad = wrap_angle(pose.heading_rad + firmware.turn_rad_s() * dt_s);
+      pose.x_m += firmware.forward_m_s() * dt_s * std::cos(pose.heading_rad);
+      pose.y_m += firmware.forward_m_s() * dt_s * std::sin(pose.heading_rad);
+      senses.odometry.forward_m_s = firmware.forward_m_s();
+      senses.odometry.turn_rad_s = firmware.turn_rad_s();
+      firmware.step(now, TestBed::kStep, senses);
+    }
+  }
+  ArcosFirmware firmware{FirmwareSettings{}};
+  FirmwareSenses senses;
+  TimePoint now;
+};
+
+TEST(Firmware, DrivesWhereTheRecordedClientsRobotDrove) {
+  const auto files = reference::arcos_captures(STRIATE_SHARED_DATA);
+  if (files.empty()) GTEST_SKIP() << "no captures below " STRIATE_SHARED_DATA;
+  for (const auto& file : files) {
+    RollingFirmware ours;
+    arcos::PacketStream theirs;
+    BaseTracker recorded;
+    recorded.use(
+        *find_model(file.string().find("p3dx.hex") != std::string::npos ? "p3dx" : "p3dx-sh"));
+    double farthest_m = 0.0, off_m = 0.0, off_rad = 0.0;
+    bool free = true;  // theirs ran into a wall in the end; ours has none
+    for (const reference::Chunk& chunk : reference::read_capture(file)) {
+      ours.run_to(chunk.time_s);
+      if (chunk.direction == "C>R") ours.firmware.receive(chunk.bytes, ours.now);
+      if (chunk.direction != "R>C") continue;
+      theirs.push(chunk.bytes);
+      while (const auto packet = theirs.next()) {
+        const auto sip = arcos::read_sip(*packet);
+        if (!sip) continue;
+        recorded.take(*sip, ours.now);
+        free = free && !recorded.state().stalled_left;
+        if (!free) continue;
+        const Pose2& there = recorded.state().odometry.pose;
+        const Pose2& here = ours.senses.odometry.pose;
+        farthest_m = std::max(farthest_m, std::hypot(there.x_m, there.y_m));
+        off_m = std::max(off_m, std::hypot(there.x_m - here.x_m, there.y_m - here.y_m));
+        off_rad = std::max(off_rad, std::abs(wrap_angle(there.heading_rad - here.heading_rad)));
+      }
+    }
+    // A few centimetres are the time their simulators take from a command to the wheels.
+    EXPECT_LT(off_m, 0.06) << file;
+    EXPECT_LT(off_rad, 0.05) << file;
+    const bool drives = file.string().find("drive") != std::string::npos;
+    EXPECT_GT(farthest_m, drives ? 0.5 : -1.0) << file;
+  }
+}
+
 TEST(Firmware, AnswersTheRecordedClients) {
   const auto files = reference::arcos_captures(STRIATE_SHARED_DATA);
   if (files.empty()) GTEST_SKIP() << "no captures below " STRIATE_SHARED_DATA;

@@ -141,6 +141,7 @@ TEST(TurretDriver, AHeadThatIsStuckMakesTheRobotStand) {
   head.driver.command({0.0, 0.0});
   double took_s = 0.0;
   for (; !bed.firmware.commanded_to_stand() && took_s < 5.0; took_s += 0.01) step();
+  RecordProperty("seconds", std::to_string(took_s));
   EXPECT_LT(took_s, 1.1) << "a second without progress";
   EXPECT_EQ(bed.driver.gate().reason(), HoldReason::head_fails);
   for (int i = 0; i < 300; ++i) step();
