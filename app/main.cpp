@@ -16,6 +16,8 @@ constexpr const char* kAbout =
     "      drives the simulated Pioneer down a 60 m corridor\n"
     "  striate sim config/worlds/corridor_a.yaml --picture view.png --at \"12 m, 0.2 m, 5 deg\"\n"
     "      shows what the robot sees at a place of a world\n"
+    "  striate sim config/worlds/corridor_a.yaml --serve\n"
+    "      offers the simulated Pioneer on TCP to any ARCOS client; 'striate drive' is one\n"
     "  striate perceive --left L.png --right R.png --out DIR\n"
     "      shows what the vision makes of any picture pair\n"
     "  striate eval patches DIR\n"
@@ -41,6 +43,7 @@ int run(int argc, char** argv) {
   striate::add_perceive_command(app, exit_code);
   striate::add_sim_command(app, exit_code);
   striate::add_task_command(app, exit_code);
+  striate::add_drive_command(app, exit_code);
   striate::add_check_command(app, exit_code);
   striate::add_config_command(app, exit_code);
   striate::add_eval_command(app, exit_code);

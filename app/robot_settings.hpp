@@ -7,6 +7,7 @@
 #include "config/settings.hpp"
 #include "memory/short_term_memory.hpp"
 #include "perception/perception.hpp"
+#include "platform/pioneer/base_driver_settings.hpp"
 #include "platform/simulator/render/renderer.hpp"
 #include "platform/simulator/simulated_pioneer.hpp"
 
@@ -19,6 +20,7 @@ struct RobotSettings {
   SafetyLimiterSettings safety;
   simulator::CameraSettings camera;
   simulator::SimulatorSettings simulator;
+  pioneer::BaseDriverSettings pioneer;
 };
 
 template <class V>
@@ -28,6 +30,7 @@ void visit(V& v, RobotSettings& s) {
   v.section("safety", s.safety);
   v.section("camera", s.camera);
   v.section("simulator", s.simulator);
+  v.section("pioneer", s.pioneer);
 }
 
 /// The defaults, changed by what the file says; "" is the defaults alone.

@@ -11,6 +11,7 @@ void add_trial_command(CLI::App& app, int& exit_code);
 void add_perceive_command(CLI::App& app, int& exit_code);
 void add_sim_command(CLI::App& app, int& exit_code);
 void add_task_command(CLI::App& app, int& exit_code);
+void add_drive_command(CLI::App& app, int& exit_code);
 void add_check_command(CLI::App& app, int& exit_code);
 void add_config_command(CLI::App& app, int& exit_code);
 void add_eval_command(CLI::App& app, int& exit_code);

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "app/commands/commands.hpp"
+#include "app/commands/serve.hpp"
 #include "app/place_text.hpp"
 #include "app/robot_settings.hpp"
 #include "config/user_error.hpp"
@@ -28,6 +29,7 @@ struct SimOptions {
   int width_px = 0;
   std::uint64_t seed = 1;
   bool right_eye = false;
+  ServeOptions serve;
 };
 
 int render(const SimOptions& options) {
@@ -71,11 +73,13 @@ void add_sim_command(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<SimOptions>();
   CLI::App* command =
       app.add_subcommand("sim",
-                         "Renders what the robot's left eye sees at a place of a world.\n"
-                         "Example: striate sim config/worlds/corridor_a.yaml --picture view.png "
-                         "--at \"12 m, 0.2 m, 5 deg\"");
+                         "Renders what the robot's left eye sees at a place of a world, or serves "
+                         "the simulated Pioneer to any ARCOS client.\n"
+                         "Examples: striate sim config/worlds/corridor_a.yaml --picture view.png "
+                         "--at \"12 m, 0.2 m, 5 deg\"\n"
+                         "          striate sim config/worlds/corridor_a.yaml --serve");
   command->add_option("world", options->world, "the world file")->required();
-  command->add_option("--picture", options->picture, "PNG to write")->required();
+  command->add_option("--picture", options->picture, "PNG to write");
   command->add_option("--at", options->at,
                       "along, left of the middle, heading; without it the world's start");
   command->add_option("--robot", options->robot, "settings of the camera");
@@ -89,7 +93,19 @@ void add_sim_command(CLI::App& app, int& exit_code) {
       ->check(CLI::Range(32, 2048));
   command->add_option("--seed", options->seed, "of the camera's noise")->capture_default_str();
   command->add_flag("--right", options->right_eye, "the right eye instead");
-  command->callback([options, &exit_code] { exit_code = render(*options); });
+  add_serve_options(*command, options->serve);
+  command->callback([options, &exit_code] {
+    if (options->serve.serves()) {
+      options->serve.world = options->world;
+      options->serve.robot = options->robot;
+      options->serve.seed = options->seed;
+      exit_code = serve(options->serve);
+    } else if (options->picture.empty()) {
+      throw UserError("striate sim: say --picture FILE.png or --serve");
+    } else {
+      exit_code = render(*options);
+    }
+  });
 }
 
 }  // namespace striate

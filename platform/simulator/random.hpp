@@ -17,6 +17,7 @@ enum class Purpose : std::uint64_t {
   walk,
   step_in_front,
   battery,
+  line_faults,
 };
 
 class Random {

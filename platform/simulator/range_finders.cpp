@@ -39,6 +39,16 @@ const std::array<Pose2, 16>& sonar_poses() {
   return poses;
 }
 
+std::array<std::size_t, 2> discs_fired_at(TimePoint stamp) {
+  const auto fired = static_cast<std::size_t>(to_seconds(stamp) / kFirePeriodS + 1e-6);
+  const std::size_t disc = kOrder[fired % kOrder.size()];
+  return {disc, 8 + disc};
+}
+
+Pose2 laser_mount() {
+  return {kLaserForwardM, 0.0, 0.0};
+}
+
 Sonar::Sonar(std::uint64_t seed, const SensorSettings& settings)
     : random_(seed, Purpose::sonar), settings_(settings) {
   for (const Pose2& pose : sonar_poses()) scan_.readings.push_back(from_axle(pose, kInfinity));
@@ -76,7 +86,7 @@ RangeScan Laser::sweep(TimePoint now, const Physics& physics) {
   RangeScan scan;
   scan.stamp = now;
   scan.readings.reserve(181);
-  const Pose2 mount{kLaserForwardM, 0.0, 0.0};
+  const Pose2 mount = laser_mount();
   const Pose2 outer = to_outer(physics.robot(), mount);
   for (int degree = -90; degree <= 90; ++degree, ++rays_) {
     const double bearing = radians(degree);

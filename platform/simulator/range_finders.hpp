@@ -12,6 +12,12 @@ namespace striate::simulator {
 /// Where the Pioneer's sixteen discs sit and look, from the axle.
 [[nodiscard]] const std::array<Pose2, 16>& sonar_poses();
 
+/// The disc of each array that fired last, for a scan that carries this stamp.
+[[nodiscard]] std::array<std::size_t, 2> discs_fired_at(TimePoint stamp);
+
+/// Where the laser sits, from the axle.
+[[nodiscard]] Pose2 laser_mount();
+
 /// Two arrays of eight discs. In each array one disc fires every 40 ms, so that a disc is 320 ms
 /// old when its turn comes again. An echo comes from the nearest thing in the beam that throws
 /// sound back: a smooth wall does so only where it stands nearly square to the beam.

@@ -1,0 +1,118 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdio>
+#include <memory>
+
+#include "app/commands/commands.hpp"
+#include "app/interrupt.hpp"
+#include "app/robot_settings.hpp"
+#include "platform/pioneer/pioneer_robot.hpp"
+
+namespace striate {
+namespace {
+
+struct DriveOptions {
+  std::string url;
+  std::string robot;
+  double forward_m_s = 0.0;
+  double turn_deg_s = 0.0;
+  double for_s = 0.0;
+  double way_m = 0.0;
+  bool force = false;
+};
+
+constexpr double kStands_m_s = 0.005;
+constexpr double kLongestDrive_s = 600.0;
+
+void print_state(const Senses& senses, const pioneer::DriverReport& report) {
+  const Pose2& pose = senses.odometry.pose;
+  fmt::print("{:7.2f} s  x {:+.3f} m  y {:+.3f} m  {:+6.1f} deg  {:+.2f} m/s  {:.1f} V  {}\n",
+             to_seconds(senses.now), pose.x_m, pose.y_m, degrees(pose.heading_rad),
+             senses.odometry.forward_m_s, senses.battery_v,
+             report.hold == pioneer::HoldReason::none ? "" : name_of(report.hold));
+  std::fflush(stdout);
+}
+
+/// The way or the time that was asked for is over.
+bool done(const DriveOptions& options, const Senses& senses, double since_s, double braking_m_s2) {
+  if (Interrupt::requested() || since_s > kLongestDrive_s) return true;
+  if (options.way_m <= 0.0) return since_s >= options.for_s;
+  const Pose2& pose = senses.odometry.pose;
+  // It rolls on while it brakes.
+  const double v = senses.odometry.forward_m_s;
+  const double braking_m = v * v / (2.0 * braking_m_s2);
+  return std::hypot(pose.x_m, pose.y_m) + braking_m >= options.way_m;
+}
+
+void print_counters(const pioneer::LinkCounters& counters) {
+  fmt::print(
+      "packets {}, bad checksums {}, bad lengths {}, incomplete {}, junk bytes {}, malformed {}, "
+      "unknown {}, connections {}\n",
+      counters.stream.packets, counters.stream.bad_checksum, counters.stream.bad_length,
+      counters.stream.incomplete, counters.stream.junk_bytes, counters.malformed, counters.unknown,
+      counters.connections);
+}
+
+int drive(const DriveOptions& options) {
+  const Interrupt interrupt;
+  pioneer::BaseDriverSettings settings = load_robot_settings(options.robot).pioneer;
+  if (options.force) settings.session.force_unknown_model = true;
+  pioneer::PioneerRobot robot(settings, options.url);
+  fmt::print("connected to {}\n", robot.driver().report().robot);
+  Senses senses;
+  robot.sense(senses);
+  const double began_s = to_seconds(senses.now);
+  const MotorCommand command{.forward_m_s = options.forward_m_s,
+                             .turn_rad_s = radians(options.turn_deg_s)};
+  while (!done(options, senses, to_seconds(senses.now) - began_s,
+               settings.session.acceleration_m_s2)) {
+    robot.send(command);
+    robot.sense(senses);
+    print_state(senses, robot.driver().report());
+  }
+  robot.stop();
+  do {
+    robot.send({});
+    robot.sense(senses);
+  } while (std::abs(senses.odometry.forward_m_s) > kStands_m_s);
+  robot.driver().ask_true_pose();
+  robot.sense(senses);
+  robot.sense(senses);
+  const pioneer::DriverReport report = robot.driver().report();
+  print_state(senses, report);
+  if (report.true_pose) {
+    fmt::print("true pose: x {:.3f} m, y {:.3f} m, {} deg in the world\n",
+               report.true_pose->x_mm / 1000.0, report.true_pose->y_mm / 1000.0,
+               report.true_pose->heading_deg);
+  }
+  print_counters(report.counters);
+  return Interrupt::requested() ? 130 : 0;
+}
+
+}  // namespace
+
+void add_drive_command(CLI::App& app, int& exit_code) {
+  auto options = std::make_shared<DriveOptions>();
+  CLI::App* command = app.add_subcommand(
+      "drive",
+      "Drives a Pioneer, real or served, and tells what it says.\n"
+      "Examples: striate drive tcp://localhost:8101 --forward 0.3 --way 1\n"
+      "          striate drive serial:/dev/ttyUSB0?baud=9600 --robot config/robots/pioneer.yaml");
+  command
+      ->add_option("robot", options->url,
+                   "tcp://host:8101, serial:/dev/ttyUSB0?baud=38400 or pty:/dev/pts/3")
+      ->required();
+  command->add_option("--forward", options->forward_m_s, "m/s; backwards is negative")
+      ->check(CLI::Range(-0.75, 0.75));
+  command->add_option("--turn", options->turn_deg_s, "deg/s, counter-clockwise")
+      ->check(CLI::Range(-68.0, 68.0));
+  command->add_option("--for", options->for_s, "seconds")->check(CLI::Range(0.0, kLongestDrive_s));
+  command->add_option("--way", options->way_m, "stops after so many metres instead")
+      ->check(CLI::Range(0.0, 100.0));
+  command->add_option("--robot", options->robot, "settings; the section 'pioneer' counts");
+  command->add_flag("--force", options->force, "drives a robot of an unknown kind, too");
+  command->callback([options, &exit_code] { exit_code = drive(*options); });
+}
+
+}  // namespace striate

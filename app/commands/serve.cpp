@@ -1,0 +1,80 @@
+#include "app/commands/serve.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+
+#include "app/interrupt.hpp"
+#include "app/robot_settings.hpp"
+#include "app/serving/arcos_server.hpp"
+#include "platform/simulator/world_reader.hpp"
+
+namespace striate {
+
+void add_serve_options(CLI::App& command, ServeOptions& options) {
+  const std::string group = "Serving";
+  command.add_flag("--serve", options.tcp, "serves the robot on TCP, in real time")->group(group);
+  command.add_flag("--pty", options.pty, "serves it on a pseudo-terminal instead")->group(group);
+  command
+      .add_option("--listen", options.address,
+                  "address to listen at; 0.0.0.0 lets other machines drive")
+      ->group(group)
+      ->capture_default_str();
+  command.add_option("--port", options.port, "TCP port; 0 takes any free one")
+      ->check(CLI::Range(0, 65535))
+      ->group(group)
+      ->capture_default_str();
+  command.add_option("--kind", options.kind, "the Pioneer's kind")
+      ->check(CLI::IsMember({"p3dx", "p3dx-sh"}))
+      ->group(group)
+      ->capture_default_str();
+  LineFaults& faults = options.faults;
+  command.add_option("--loss", faults.loss, "share of packets that never come, 0 .. 1")
+      ->check(CLI::Range(0.0, 1.0))
+      ->group(group);
+  command.add_option("--corruption", faults.corruption, "share of bytes with a wrong bit, 0 .. 1")
+      ->check(CLI::Range(0.0, 1.0))
+      ->group(group);
+  command.add_option("--delay", faults.delay_s, "seconds each way")
+      ->check(CLI::Range(0.0, 5.0))
+      ->group(group);
+  command
+      .add_option("--silent-at", faults.silent_at_s,
+                  "seconds after the connection nothing passes any more; 0 never")
+      ->check(CLI::Range(0.0, 36000.0))
+      ->group(group);
+  command.add_option("--silent-for", faults.silent_for_s, "seconds; then it passes again")
+      ->check(CLI::Range(0.0, 36000.0))
+      ->group(group)
+      ->capture_default_str();
+  command
+      .add_option("--break-at", faults.break_at_s,
+                  "seconds after the connection it is closed; 0 never")
+      ->check(CLI::Range(0.0, 36000.0))
+      ->group(group);
+}
+
+int serve(const ServeOptions& options) {
+  const simulator::World world = simulator::load_world(options.world);
+  const RobotSettings settings = load_robot_settings(options.robot);
+  pioneer::FirmwareSettings firmware;
+  firmware.subclass = options.kind;
+  ServedPioneer robot(world, options.seed, settings.simulator, firmware);
+  ServeSettings serving;
+  serving.address = options.address;
+  serving.port = options.port;
+  serving.pty = options.pty;
+  serving.faults = options.faults;
+  serving.seed = options.seed;
+  const Interrupt interrupt;
+  ArcosServer server(robot, serving, [&robot](const std::string& line) {
+    fmt::print("{:8.2f} s  {}\n", to_seconds(robot.now()), line);
+    std::fflush(stdout);
+  });
+  fmt::print("a {} in {} at {}; Ctrl-C ends it\n", options.kind, world.name, server.url());
+  std::fflush(stdout);
+  server.run([] { return !Interrupt::requested(); });
+  return 0;
+}
+
+}  // namespace striate

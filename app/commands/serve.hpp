@@ -1,0 +1,29 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <string>
+
+#include "app/serving/line_faults.hpp"
+
+namespace striate {
+
+/// `striate sim WORLD --serve`: the simulated Pioneer for other programs.
+struct ServeOptions {
+  bool tcp = false;
+  bool pty = false;
+  std::string address = "127.0.0.1";
+  int port = 8101;
+  std::string kind = "p3dx-sh";
+  LineFaults faults;
+  std::string world;
+  std::string robot;
+  std::uint64_t seed = 1;
+  [[nodiscard]] bool serves() const { return tcp || pty; }
+};
+
+void add_serve_options(CLI::App& command, ServeOptions& options);
+/// Serves until Ctrl-C.
+int serve(const ServeOptions& options);
+
+}  // namespace striate

@@ -1,0 +1,82 @@
+#include "app/serving/served_pioneer.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "platform/simulator/range_finders.hpp"
+
+namespace striate {
+namespace {
+
+constexpr Duration kLaserPeriod = std::chrono::milliseconds(100);
+
+/// The controller ramps speeds itself: the motors below it follow as fast as motors do.
+RobotDescription motors() {
+  RobotDescription robot;
+  robot.max_forward_m_s = 1.0;
+  robot.max_turn_rad_s = radians(360.0);
+  robot.max_acceleration_m_s2 = 2.5;
+  robot.max_turn_acceleration_rad_s2 = 12.0;
+  robot.cycle = ServedPioneer::kStep;
+  return robot;
+}
+
+simulator::SimulatorSettings for_serving(simulator::SimulatorSettings settings) {
+  settings.base.command_latency_s = 0.0;  // the line has its own
+  settings.judge = {.ends_at_collision = false, .ends_at_goal = false, .time_limit_s = 0.0};
+  return settings;
+}
+
+double range_from(const Pose2& sensor, const RangeReading& seen) {
+  if (!std::isfinite(seen.distance_m)) return seen.distance_m;
+  return std::hypot(seen.distance_m * std::cos(seen.bearing_rad) - sensor.x_m,
+                    seen.distance_m * std::sin(seen.bearing_rad) - sensor.y_m);
+}
+
+}  // namespace
+
+ServedPioneer::ServedPioneer(const simulator::World& world, std::uint64_t seed,
+                             const simulator::SimulatorSettings& settings,
+                             const pioneer::FirmwareSettings& firmware)
+    : body_(world, seed, for_serving(settings), nullptr, motors()),
+      firmware_(firmware),
+      laser_range_m_(settings.sensors.laser_range_m) {}
+
+void ServedPioneer::hand_over_sonar() {
+  if (senses_.sonar.stamp == sonar_stamp_) return;
+  sonar_stamp_ = senses_.sonar.stamp;
+  for (const std::size_t disc : simulator::discs_fired_at(sonar_stamp_)) {
+    firmware_.sonar(disc, range_from(simulator::sonar_poses()[disc], senses_.sonar.readings[disc]));
+  }
+}
+
+void ServedPioneer::hand_over_laser() {
+  if (!firmware_.laser_wanted() || now() < next_laser_) return;
+  next_laser_ = now() + kLaserPeriod;
+  const Pose2 mount = simulator::laser_mount();
+  std::vector<std::uint16_t> ranges_mm;
+  ranges_mm.reserve(senses_.laser.readings.size());
+  for (const RangeReading& seen : senses_.laser.readings) {
+    const double range_m = std::min(range_from(mount, seen), laser_range_m_);
+    ranges_mm.push_back(static_cast<std::uint16_t>(std::lround(1000.0 * range_m)));
+  }
+  firmware_.laser(ranges_mm);
+}
+
+void ServedPioneer::step() {
+  body_.send({.forward_m_s = firmware_.forward_m_s(), .turn_rad_s = firmware_.turn_rad_s()});
+  body_.sense(senses_);
+  hand_over_sonar();
+  hand_over_laser();
+  pioneer::FirmwareSenses felt;
+  felt.odometry = senses_.odometry;
+  felt.battery_v = senses_.battery_v;
+  felt.stalled = senses_.motors_stalled;
+  // The bumper rings touch on the side that the robot drives to.
+  felt.bumper_front = senses_.bumper && firmware_.forward_m_s() >= 0.0;
+  felt.bumper_rear = senses_.bumper && firmware_.forward_m_s() < 0.0;
+  felt.true_pose = true_pose();
+  firmware_.step(now(), kStep, felt);
+}
+
+}  // namespace striate

@@ -1,0 +1,199 @@
+#include <array>
+#include <boost/asio/connect.hpp>
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/serial_port.hpp>
+#include <boost/asio/steady_timer.hpp>
+#include <boost/asio/write.hpp>
+
+#include "platform/pioneer/transport.hpp"
+#include "platform/pioneer/transport_url.hpp"
+
+namespace striate::pioneer {
+namespace {
+
+namespace asio = boost::asio;
+using boost::system::error_code;
+using Tcp = asio::ip::tcp;
+
+/// A line that has so much waiting takes nothing any more: some 700 ms at 115200 baud.
+constexpr std::size_t kMostWaiting = 8192;
+constexpr auto kFlush = std::chrono::milliseconds(60);
+constexpr auto kConnectPatience = std::chrono::seconds(3);
+
+/// What TCP and serial have in common. All of it runs in the thread that calls.
+template <class Stream>
+class StreamLine : public Transport {
+ public:
+  explicit StreamLine(TransportUrl url) : url_(std::move(url)), stream_(io_) {}
+
+  void open() override {
+    close();
+    trouble_.clear();
+    begin_open();
+  }
+  void close() override {
+    if (open_ && !outbox_.empty()) {
+      io_.restart();
+      io_.run_for(kFlush);
+    }
+    shut();
+  }
+  [[nodiscard]] bool is_opening() const override { return opening_; }
+  [[nodiscard]] bool is_open() const override { return open_; }
+  [[nodiscard]] std::string trouble() const override { return trouble_; }
+
+  [[nodiscard]] Bytes read() override {
+    io_.restart();
+    io_.poll();
+    Bytes bytes;
+    bytes.swap(inbox_);
+    return bytes;
+  }
+  void write(ByteView bytes) override {
+    append(outbox_, bytes);
+    if (outbox_.size() > kMostWaiting) {
+      fail("it takes no more bytes");
+    } else if (!writing_) {
+      write_on();
+    }
+  }
+  void wait(Duration at_most) override {
+    io_.restart();
+    if (io_.run_one_for(at_most) > 0) io_.poll();
+  }
+
+ protected:
+  virtual void begin_open() = 0;
+  virtual void end_open() {}
+
+  void opened() {
+    opening_ = false;
+    open_ = true;
+    read_on();
+  }
+  void fail(const std::string& why) {
+    shut();
+    trouble_ = why;
+  }
+  void shut() {
+    end_open();
+    error_code ignored;
+    stream_.close(ignored);
+    open_ = opening_ = writing_ = false;
+    ++generation_;
+    inbox_.clear();
+    outbox_.clear();
+  }
+  /// Handlers of a stream that has been closed since must not speak for the next one.
+  template <class Handler>
+  auto current(Handler handler) {
+    return [this, handler, generation = generation_](const error_code& error, auto&&... rest) {
+      if (generation == generation_) handler(error, rest...);
+    };
+  }
+
+  TransportUrl url_;
+  asio::io_context io_{1};
+  Stream stream_;
+  bool opening_ = false;
+
+ private:
+  void read_on() {
+    stream_.async_read_some(asio::buffer(chunk_),
+                            current([this](const error_code& error, std::size_t size) {
+                              if (error) return fail(error.message());
+                              append(inbox_, ByteView(chunk_).first(size));
+                              read_on();
+                            }));
+  }
+  void write_on() {
+    writing_ = true;
+    under_way_.swap(outbox_);
+    outbox_.clear();
+    asio::async_write(stream_, asio::buffer(under_way_),
+                      current([this](const error_code& error, std::size_t) {
+                        if (error) return fail(error.message());
+                        writing_ = false;
+                        if (!outbox_.empty()) write_on();
+                      }));
+  }
+
+  bool open_ = false;
+  bool writing_ = false;
+  std::uint64_t generation_ = 0;
+  std::string trouble_;
+  std::array<std::uint8_t, 1024> chunk_{};
+  Bytes inbox_;
+  Bytes outbox_;
+  Bytes under_way_;
+};
+
+class TcpLine final : public StreamLine<Tcp::socket> {
+ public:
+  explicit TcpLine(TransportUrl url) : StreamLine(std::move(url)), resolver_(io_), patience_(io_) {}
+
+ private:
+  void begin_open() override {
+    opening_ = true;
+    patience_.expires_after(kConnectPatience);
+    patience_.async_wait(current([this](const error_code& error) {
+      if (!error && opening_) fail("nobody answers at " + url_.host);
+    }));
+    resolver_.async_resolve(url_.host, std::to_string(url_.port),
+                            current([this](const error_code& error, auto&& places) {
+                              if (error) return fail(url_.host + ": " + error.message());
+                              connect(places);
+                            }));
+  }
+  void connect(const Tcp::resolver::results_type& places) {
+    asio::async_connect(
+        stream_, places, current([this](const error_code& error, const auto&) {
+          if (error) {
+            return fail(url_.host + ":" + std::to_string(url_.port) + ": " + error.message());
+          }
+          error_code ignored;
+          stream_.set_option(Tcp::no_delay(true), ignored);
+          patience_.cancel();
+          opened();
+        }));
+  }
+  void end_open() override {
+    patience_.cancel();
+    resolver_.cancel();
+  }
+
+  Tcp::resolver resolver_;
+  asio::steady_timer patience_;
+};
+
+class SerialLine final : public StreamLine<asio::serial_port> {
+ public:
+  using StreamLine::StreamLine;
+
+ private:
+  void begin_open() override {
+    using Port = asio::serial_port_base;
+    try {
+      stream_.open(url_.device);
+      stream_.set_option(Port::baud_rate(static_cast<unsigned>(url_.baud)));
+      stream_.set_option(Port::character_size(8));
+      stream_.set_option(Port::parity(Port::parity::none));
+      stream_.set_option(Port::stop_bits(Port::stop_bits::one));
+      stream_.set_option(Port::flow_control(Port::flow_control::none));
+      opened();
+    } catch (const boost::system::system_error& error) {
+      fail(url_.device + ": " + error.code().message());
+    }
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<Transport> make_transport(const std::string& url) {
+  TransportUrl place = parse_transport_url(url);
+  if (place.kind == TransportUrl::Kind::tcp) return std::make_unique<TcpLine>(std::move(place));
+  return std::make_unique<SerialLine>(std::move(place));
+}
+
+}  // namespace striate::pioneer

@@ -1,0 +1,119 @@
+#include "platform/pioneer/driver_thread.hpp"
+
+#include <exception>
+
+namespace striate::pioneer {
+namespace {
+
+constexpr Duration kTick = std::chrono::milliseconds(5);
+
+}  // namespace
+
+DriverThread::DriverThread(const BaseDriverSettings& settings, std::unique_ptr<Transport> line,
+                           const Clock& clock)
+    : clock_(clock),
+      line_(std::move(line)),
+      driver_(settings, *line_),
+      thread_([this] { run(); }) {}
+
+DriverThread::~DriverThread() {
+  ends_ = true;
+  thread_.join();
+}
+
+void DriverThread::command(const MotorCommand& command) {
+  const TimePoint now = clock_.now();
+  const std::lock_guard lock(mutex_);
+  slot_.command = command;
+  slot_.given_at = now;
+}
+
+void DriverThread::emergency_stop() {
+  const std::lock_guard lock(mutex_);
+  slot_.emergency = true;
+  slot_.reset = false;
+}
+
+void DriverThread::reset() {
+  const std::lock_guard lock(mutex_);
+  slot_.reset = true;
+}
+
+void DriverThread::ask_true_pose() {
+  const std::lock_guard lock(mutex_);
+  slot_.ask_true_pose = true;
+}
+
+DriverReport DriverThread::report() const {
+  const std::lock_guard lock(mutex_);
+  return report_;
+}
+
+bool DriverThread::wait_until_it_can_drive(Duration at_most) {
+  std::unique_lock lock(mutex_);
+  const auto decided = [this] {
+    const bool drives = report_.state == SessionState::ready && report_.base.motors_on;
+    return drives || report_.state == SessionState::refused;
+  };
+  told_.wait_for(lock, at_most, decided);
+  return decided() && report_.state == SessionState::ready;
+}
+
+void DriverThread::obey(const Slot& slot, TimePoint now) {
+  SafetyGate& gate = driver_.gate();
+  if (slot.reset) gate.reset(now);
+  if (slot.command) gate.command(*slot.command, slot.given_at);
+  if (slot.emergency) gate.emergency_stop(now);
+  if (slot.ask_true_pose) driver_.session().ask_true_pose();
+}
+
+void DriverThread::tell() {
+  const Session& session = driver_.session();
+  const std::lock_guard lock(mutex_);
+  report_.state = session.state();
+  report_.base = session.base();
+  report_.hold = driver_.gate().reason();
+  report_.latched = driver_.gate().latched();
+  report_.counters = session.counters();
+  report_.robot = session.names().name + " (" + session.names().subclass + ")";
+  const std::string line = line_->trouble();
+  report_.trouble = session.trouble();
+  if (!report_.trouble.empty() && !line.empty()) report_.trouble += ": " + line;
+  report_.most_forward_m_s = session.most_forward_mm_s() / 1000.0;
+  report_.most_turn_rad_s = radians(session.most_turn_deg_s());
+  report_.true_pose = session.true_pose();
+  told_.notify_all();
+}
+
+void DriverThread::say_goodbye() {
+  driver_.close();
+  driver_.step(clock_.now());
+  line_->close();
+}
+
+void DriverThread::run() {
+  try {
+    while (!ends_) {
+      line_->wait(kTick);
+      Slot slot;
+      {
+        const std::lock_guard lock(mutex_);
+        std::swap(slot, slot_);
+      }
+      const TimePoint now = clock_.now();
+      obey(slot, now);
+      driver_.step(now);
+      tell();
+    }
+    say_goodbye();
+  } catch (const std::exception& error) {
+    // The robot's own watchdog stops it; the caller learns why.
+    const std::lock_guard lock(mutex_);
+    report_.state = SessionState::closed;
+    report_.hold = HoldReason::link_lost;
+    report_.trouble = error.what();
+    told_.notify_all();
+  }
+}
+
+}  // namespace striate::pioneer

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "config/settings.hpp"
+
+namespace striate::pioneer {
+
+/// What both kinds of laser need to know.
+struct LaserSettings {
+  double forward_m = 0.021;
+  double reply_patience_s = 0.5;
+  double stale_after_s = 0.5;
+  double begin_again_after_s = 1.0;
+};
+
+template <class V>
+void visit(V& v, LaserSettings& s) {
+  using config::Unit;
+  v.number("forward", s.forward_m, Unit::length, {-0.5, 0.5}, "of the laser before the axle");
+  v.number("reply_patience", s.reply_patience_s, Unit::duration, {0.05, 10.0},
+           "for the reply to a command; then the device is set up from the start");
+  v.number("stale_after", s.stale_after_s, Unit::duration, {0.1, 5.0}, "an older scan is none");
+  v.number("begin_again_after", s.begin_again_after_s, Unit::duration, {0.2, 60.0},
+           "without a scan the device is set up from the start");
+}
+
+}  // namespace striate::pioneer

@@ -1,0 +1,120 @@
+#include "platform/pioneer/laser/lms_driver.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace striate::pioneer {
+namespace {
+
+constexpr std::uint8_t kDone = 0xa0;
+constexpr std::uint8_t kVariantSet = 0xbb;
+constexpr std::uint8_t kConfigured = 0xf7;
+/// The mirror turns 75 times a second and sees half of each turn; a scan of 181 values takes 94 ms
+/// at 38400 baud, and is as old when its last byte comes.
+constexpr Duration kScanAge = std::chrono::milliseconds(100);
+constexpr Duration kLongestTelegram = std::chrono::milliseconds(500);
+
+}  // namespace
+
+void LmsDriver::say(const Bytes& bytes, Step step, TimePoint now) {
+  append(output_, bytes);
+  step_ = step;
+  said_at_ = now;
+}
+
+Bytes LmsDriver::take_output() {
+  Bytes bytes;
+  bytes.swap(output_);
+  return bytes;
+}
+
+void LmsDriver::close() {
+  say(lms200::continuous(false), Step::closed, said_at_);
+}
+
+void LmsDriver::receive(ByteView bytes, TimePoint now) {
+  stream_.push(bytes);
+  if (!incomplete_) incomplete_since_ = now;
+  while (const auto telegram = stream_.next()) {
+    take(*telegram, now);
+    incomplete_since_ = now;
+  }
+  incomplete_ = stream_.waiting();
+}
+
+void LmsDriver::take(const lms200::Telegram& telegram, TimePoint now) {
+  const Bytes& data = telegram.data;
+  const std::uint8_t kind = data[0];
+  const auto says = [&](std::uint8_t wanted, std::uint8_t result) {
+    return kind == wanted && data.size() > 1 && data[1] == result;
+  };
+  switch (step_) {
+    case Step::variant:
+      if (says(kVariantSet, 1)) say(lms200::install_mode(), Step::install, now);
+      return;
+    case Step::install:
+      if (says(kDone, 0)) say(lms200::set_millimetres(), Step::unit, now);
+      return;
+    case Step::unit:
+      if (says(kConfigured, 1)) say(lms200::continuous(true), Step::start, now);
+      return;
+    case Step::start:
+      if (!says(kDone, 0)) return;
+      step_ = Step::scan;
+      scanned_at_ = now;
+      return;
+    case Step::scan:
+      take_scan(telegram, now);
+      return;
+    case Step::begin:
+    case Step::closed:
+      return;
+  }
+}
+
+void LmsDriver::take_scan(const lms200::Telegram& telegram, TimePoint now) {
+  const auto scan = lms200::read_scan(telegram);
+  if (!scan || scan->ranges_m.size() < 2) return;
+  scanned_at_ = now;
+  scan_.stamp = now - kScanAge;
+  scan_.readings.clear();
+  const auto last = static_cast<double>(scan->ranges_m.size() - 1);
+  for (std::size_t i = 0; i < scan->ranges_m.size(); ++i) {
+    const double bearing_rad = radians(-90.0 + 180.0 * static_cast<double>(i) / last);
+    const double range_m = scan->ranges_m[i];
+    if (!std::isfinite(range_m)) {
+      scan_.readings.push_back({bearing_rad, range_m});
+      continue;
+    }
+    const Point2 hit = to_outer({settings_.forward_m, 0.0, bearing_rad}, Point2{range_m, 0.0});
+    scan_.readings.push_back({std::atan2(hit.y_m, hit.x_m), std::hypot(hit.x_m, hit.y_m)});
+  }
+}
+
+void LmsDriver::tick(TimePoint now) {
+  if (incomplete_ && now - incomplete_since_ > kLongestTelegram) {
+    stream_.give_up_waiting();
+    incomplete_ = false;
+    receive({}, now);
+  }
+  switch (step_) {
+    case Step::closed:
+      return;
+    case Step::begin:
+      break;
+    case Step::scan:
+      if (now - scanned_at_ < from_seconds(settings_.begin_again_after_s)) return;
+      break;
+    default:
+      if (now - said_at_ < from_seconds(settings_.reply_patience_s)) return;
+  }
+  ++set_ups_;
+  say(lms200::set_variant(180, 100), Step::variant, now);
+}
+
+RangeScan LmsDriver::scan(TimePoint now) const {
+  if (now - scan_.stamp > from_seconds(settings_.stale_after_s)) return {};
+  return scan_;
+}
+
+}  // namespace striate::pioneer

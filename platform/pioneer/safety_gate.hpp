@@ -1,0 +1,85 @@
+#pragma once
+
+#include "platform/interface/motor_command.hpp"
+#include "platform/pioneer/hold_reason.hpp"
+#include "platform/pioneer/safety_gate_settings.hpp"
+#include "platform/pioneer/session.hpp"
+
+namespace striate::pioneer {
+
+/// The only sender of motion. Every few 10 ms it decides from the newest command, its age, and what
+/// the robot says, and sends forward and turning speed. Pure: times are injected.
+///
+/// Nothing drives that is older than its lease. After any gap (the robot was silent, this program
+/// was not scheduled) the first thing sent is a stop, because the firmware resumes the old motion,
+/// and only a command given after the gap drives again. After a broken link, an emergency stop, the
+/// joystick or motors that went off, `reset` is needed.
+class SafetyGate {
+ public:
+  SafetyGate(const SafetyGateSettings& settings, Session& session)
+      : settings_(settings), session_(session) {}
+
+  /// What is wanted until the lease ends. `given_at` is when it was decided.
+  void command(const MotorCommand& command, TimePoint given_at);
+  /// Stands at once and stays so until `reset`.
+  void emergency_stop(TimePoint now);
+  /// Ends what is latched, switches the motors on, and waits for a newer command.
+  void reset(TimePoint now);
+
+  /// A head that is stuck, silent or overloaded may look anywhere: then the robot stands.
+  void set_head_ok(bool ok) { head_ok_ = ok; }
+
+  void tick(TimePoint now);
+
+  [[nodiscard]] HoldReason reason() const { return reason_; }
+  [[nodiscard]] bool latched() const { return latch_ != HoldReason::none; }
+  /// What was sent last.
+  [[nodiscard]] int sent_forward_mm_s() const { return sent_forward_mm_s_; }
+  [[nodiscard]] int sent_turn_deg_s() const { return sent_turn_deg_s_; }
+
+ private:
+  struct Motion {
+    double forward_mm_s = 0.0;
+    double turn_deg_s = 0.0;
+  };
+  void watch(TimePoint now);
+  void watch_motors(TimePoint now);
+  void watch_joystick(TimePoint now);
+  void latch(HoldReason why, TimePoint now);
+  void gap(TimePoint now);
+  [[nodiscard]] bool laser_is_stale(TimePoint now) const;
+  [[nodiscard]] Motion allowed(TimePoint now);
+  void limit_by_touch(Motion& motion, TimePoint now);
+  void limit_by_sonar(Motion& motion, TimePoint now);
+  [[nodiscard]] double free_way_mm_s(bool forward, TimePoint now) const;
+  void send(const Motion& motion, TimePoint now);
+  void send_stop(TimePoint now);
+
+  SafetyGateSettings settings_;
+  Session& session_;
+  MotorCommand command_;
+  TimePoint given_at_;
+  bool given_ = false;
+  TimePoint not_before_;  ///< commands given earlier do not drive
+  HoldReason reason_ = HoldReason::not_ready;
+  HoldReason latch_ = HoldReason::none;
+
+  bool ticked_ = false;
+  TimePoint last_tick_;
+  bool was_ready_ = false;
+  bool silent_ = false;
+  bool head_ok_ = true;
+  bool motors_wanted_ = true;
+  bool motors_were_on_ = false;
+  TimePoint motors_asked_at_;
+  bool motors_asked_ = false;
+  double blocked_sign_ = 0.0;  ///< the way that a stall forbids
+  TimePoint blocked_until_;
+
+  int sent_forward_mm_s_ = 0;
+  int sent_turn_deg_s_ = 0;
+  bool sent_ = false;
+  TimePoint sent_at_;
+};
+
+}  // namespace striate::pioneer

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "config/settings.hpp"
+
+namespace striate::pioneer {
+
+struct SafetyGateSettings {
+  double command_lease_s = 0.5;
+  double silence_s = 0.3;
+  double send_every_s = 0.1;
+  double laser_stale_s = 0.5;
+  double stall_pause_s = 1.0;
+  bool sonar = true;
+  double sonar_stop_m = 0.10;
+  double latency_s = 0.15;
+  double battery_stop_v = 10.8;
+};
+
+template <class V>
+void visit(V& v, SafetyGateSettings& s) {
+  using config::Unit;
+  v.number("command_lease", s.command_lease_s, Unit::duration, {0.05, 0.5},
+           "an older command does not drive");
+  v.number("silence", s.silence_s, Unit::duration, {0.15, 1.0},
+           "without a packet from the robot for so long it is told to stand");
+  v.number("send_every", s.send_every_s, Unit::duration, {0.02, 0.4},
+           "a command is repeated, which is the sign of life, too");
+  v.number("laser_stale", s.laser_stale_s, Unit::duration, {0.2, 5.0},
+           "a laser that has spoken and is silent for so long stops the robot");
+  v.number("stall_pause", s.stall_pause_s, Unit::duration, {0.0, 10.0},
+           "after a stall no push the same way for so long");
+  v.flag("sonar", s.sonar, "the front and rear discs may slow and stop the robot");
+  v.number("sonar_stop", s.sonar_stop_m, Unit::length, {0.0, 0.5},
+           "stands so far from an echo, measured from the disc");
+  v.number("latency", s.latency_s, Unit::duration, {0.0, 1.0}, "from command to braking");
+  v.number("battery_stop", s.battery_stop_v, Unit::none, {0.0, 60.0},
+           "volts: below it the robot stands");
+}
+
+}  // namespace striate::pioneer

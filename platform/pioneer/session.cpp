@@ -1,0 +1,274 @@
+#include "platform/pioneer/session.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace striate::pioneer {
+
+using arcos::Command;
+using arcos::command;
+
+namespace {
+
+/// The longest packet takes 269 ms at 9600 baud; a count that promises more never comes true.
+constexpr Duration kLongestPacket = std::chrono::milliseconds(280);
+constexpr Duration kConfigAgain = std::chrono::milliseconds(200);
+constexpr Duration kConfigPatience = std::chrono::milliseconds(1000);
+constexpr Duration kOpenAgain = std::chrono::milliseconds(500);
+
+/// 0 in a CONFIGpac means that the firmware does not say.
+double least_told(double limit, std::uint16_t told) {
+  return told == 0 ? limit : std::min(limit, static_cast<double>(told));
+}
+
+int rounded(double value) {
+  return static_cast<int>(std::lround(value));
+}
+
+}  // namespace
+
+const char* name_of(SessionState state) {
+  switch (state) {
+    case SessionState::waiting:
+      return "waiting";
+    case SessionState::syncing:
+      return "syncing";
+    case SessionState::opening:
+      return "opening";
+    case SessionState::configuring:
+      return "configuring";
+    case SessionState::ready:
+      return "ready";
+    case SessionState::closed:
+      return "closed";
+    case SessionState::refused:
+      return "refused";
+  }
+  return "";
+}
+
+bool Session::wants_line(TimePoint now) const {
+  switch (state_) {
+    case SessionState::closed:
+    case SessionState::refused:
+      return false;
+    case SessionState::waiting:
+      return now >= open_again_at_;
+    default:
+      return true;
+  }
+}
+
+void Session::line_up(TimePoint now) {
+  if (line_is_up_ || state_ == SessionState::closed || state_ == SessionState::refused) return;
+  line_is_up_ = true;
+  restarts_ = 0;
+  last_packet_ = now;
+  begin_sync(now);
+}
+
+void Session::line_down(TimePoint now) {
+  line_is_up_ = false;
+  if (state_ == SessionState::closed || state_ == SessionState::refused) return;
+  if (state_ == SessionState::waiting && now < open_again_at_) return;
+  lose(now, "the link is down");
+}
+
+void Session::lose(TimePoint now, const std::string& why) {
+  trouble_ = why;
+  output_.clear();
+  if (state_ == SessionState::ready) send(command(Command::stop));  // should it still be heard
+  state_ = SessionState::waiting;
+  state_since_ = now;
+  stream_.clear();
+  incomplete_ = false;
+  line_is_up_ = false;
+  back_off_s_ = std::clamp(2.0 * back_off_s_, settings_.back_off_s, settings_.longest_back_off_s);
+  open_again_at_ = now + from_seconds(back_off_s_);
+}
+
+void Session::receive(ByteView bytes, TimePoint now) {
+  stream_.push(bytes);
+  // A packet's time is that of its first byte, which may have come with an earlier chunk.
+  TimePoint began = incomplete_ ? incomplete_since_ : now;
+  while (const auto packet = stream_.next()) {
+    handle(*packet, began);
+    began = now;
+  }
+  incomplete_ = stream_.waiting();
+  incomplete_since_ = began;
+}
+
+void Session::handle(const arcos::Packet& packet, TimePoint now) {
+  last_packet_ = std::max(last_packet_, now);
+  switch (state_) {
+    case SessionState::syncing:
+      handle_syncing(packet, now);
+      return;
+    case SessionState::opening:
+    case SessionState::configuring:
+    case SessionState::ready:
+      handle_open(packet, now);
+      return;
+    default:
+      return;
+  }
+}
+
+void Session::handle_open(const arcos::Packet& packet, TimePoint now) {
+  if (arcos::is_sip(packet)) {
+    take_sip(packet, now);
+    return;
+  }
+  if (packet.id == arcos::ConfigPac::kId) {
+    config_ = arcos::read_config_pac(packet);
+    if (config_) {
+      tracker_.use_bumpers(config_->front_bumpers != 0, config_->rear_bumpers != 0);
+      if (state_ == SessionState::configuring) get_ready(now);
+      return;
+    }
+  } else if (packet.id == arcos::Joystick::kId) {
+    if (const auto joystick = arcos::read_joystick(packet)) {
+      tracker_.take_joystick(joystick->button1);
+      return;
+    }
+  } else if (packet.id == arcos::SimLaser::kId) {
+    if (const auto part = arcos::read_sim_laser(packet)) {
+      if (sweep_.take(*part)) tracker_.take_laser(sweep_.ranges_mm(), now);
+      return;
+    }
+  } else if (packet.id == arcos::SimStat::kId) {
+    true_pose_ = arcos::read_sim_stat(packet);
+    if (true_pose_) return;
+  } else {
+    ++counters_.unknown;
+    counters_.last_unknown_id = packet.id;
+    return;
+  }
+  ++counters_.malformed;
+  counters_.last_malformed_id = packet.id;
+}
+
+void Session::take_sip(const arcos::Packet& packet, TimePoint now) {
+  const auto sip = arcos::read_sip(packet);
+  if (!sip) {
+    ++counters_.malformed;
+    counters_.last_malformed_id = packet.id;
+    return;
+  }
+  ++counters_.sips;
+  tracker_.take(*sip, now);
+  if (state_ != SessionState::opening) return;
+  state_ = SessionState::configuring;
+  state_since_ = sent_at_ = now;
+  send(command(Command::config, 1));
+}
+
+void Session::get_ready(TimePoint now) {
+  state_ = SessionState::ready;
+  state_since_ = now;
+  ++counters_.connections;
+  back_off_s_ = 0.0;
+  trouble_.clear();
+  tell_limits();
+  ask_for_laser();
+}
+
+void Session::ask_for_laser() {
+  const bool simulated = config_ && config_->serial == "SIM";
+  if (!simulated || !settings_.simulated_laser) return;
+  send(command(Command::laser_start, -90));
+  send(command(Command::laser_end, 90));
+  send(command(Command::laser_increment, 100));  // 0.01 deg
+  send(command(Command::laser_mode, 2));
+}
+
+double Session::most_forward_mm_s() const {
+  const double most = std::min(1000.0 * settings_.most_forward_m_s, model_.most_forward_mm_s);
+  return config_ ? least_told(most, config_->velocity_top_mm_s) : most;
+}
+
+double Session::most_turn_deg_s() const {
+  const double most = std::min(degrees(settings_.most_turn_rad_s), model_.most_turn_deg_s);
+  return config_ ? least_told(most, config_->rotation_top_deg_s) : most;
+}
+
+void Session::tell_limits() {
+  double acceleration = 1000.0 * settings_.acceleration_m_s2;
+  double turn = degrees(settings_.turn_acceleration_rad_s2);
+  if (config_) {
+    acceleration = least_told(acceleration, config_->acceleration_top_mm_s2);
+    turn = least_told(turn, config_->rotation_acceleration_top_deg_s2);
+  }
+  send(command(Command::set_velocity, rounded(most_forward_mm_s())));
+  send(command(Command::set_acceleration, rounded(acceleration)));
+  send(command(Command::set_acceleration, -rounded(acceleration)));
+  send(command(Command::set_rotation, rounded(most_turn_deg_s())));
+  send(command(Command::set_rotation_acceleration, rounded(turn)));
+  send(command(Command::set_rotation_acceleration, -rounded(turn)));
+  send(command(Command::joystick_drive, settings_.joystick_may_drive ? 1 : 0));
+}
+
+void Session::tick(TimePoint now) {
+  if (incomplete_ && now - incomplete_since_ > kLongestPacket) {
+    stream_.give_up_waiting();
+    incomplete_ = false;
+    receive({}, now);
+  }
+  switch (state_) {
+    case SessionState::syncing:
+      tick_syncing(now);
+      return;
+    case SessionState::opening:
+      if (now - sent_at_ >= kOpenAgain) {
+        send(command(Command::open, 1));
+        sent_at_ = now;
+      }
+      break;
+    case SessionState::configuring:
+      if (now - state_since_ >= kConfigPatience) {
+        get_ready(now);  // older firmware has no CONFIGpac
+      } else if (now - sent_at_ >= kConfigAgain) {
+        send(command(Command::config, 1));
+        sent_at_ = now;
+      }
+      break;
+    case SessionState::ready:
+      break;
+    default:
+      return;
+  }
+  if (now - last_packet_ > from_seconds(settings_.lost_after_s)) {
+    lose(now, "the robot has fallen silent");
+  }
+}
+
+void Session::close() {
+  if (state_ == SessionState::closed) return;
+  const bool open = state_ == SessionState::opening || state_ == SessionState::configuring ||
+                    state_ == SessionState::ready;
+  if (open) {
+    send(command(Command::stop));
+    send(command(Command::enable, 0));
+    send(command(Command::close, 1));
+  }
+  state_ = SessionState::closed;
+}
+
+Bytes Session::take_output() {
+  Bytes bytes;
+  bytes.swap(output_);
+  return bytes;
+}
+
+LinkCounters Session::counters() const {
+  LinkCounters counters = counters_;
+  counters.stream = stream_.counters();
+  return counters;
+}
+
+void Session::ask_true_pose() {
+  if (state_ == SessionState::ready) send(command(Command::sim_stat, 1));
+}
+
+}  // namespace striate::pioneer

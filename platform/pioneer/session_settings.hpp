@@ -1,0 +1,47 @@
+#pragma once
+
+#include "config/settings.hpp"
+
+namespace striate::pioneer {
+
+struct SessionSettings {
+  bool force_unknown_model = false;
+  bool joystick_may_drive = true;
+  bool simulated_laser = true;
+  double sync_wait_s = 1.0;
+  int sync_tries = 5;
+  double lost_after_s = 2.0;
+  double back_off_s = 0.5;
+  double longest_back_off_s = 8.0;
+  double most_forward_m_s = 0.75;
+  double most_turn_rad_s = 1.2;
+  double acceleration_m_s2 = 0.5;
+  double turn_acceleration_rad_s2 = 2.0;
+};
+
+template <class V>
+void visit(V& v, SessionSettings& s) {
+  using config::Unit;
+  v.flag("force_unknown_model", s.force_unknown_model,
+         "drive a robot of an unknown kind with the factors of p3dx-sh");
+  v.flag("joystick_may_drive", s.joystick_may_drive, "the joystick's button takes over");
+  v.flag("simulated_laser", s.simulated_laser,
+         "asks a simulated robot for the laser inside its packets");
+  v.number("sync_wait", s.sync_wait_s, Unit::duration, {0.1, 10.0},
+           "for the answer to one step of the handshake");
+  v.integer("sync_tries", s.sync_tries, {1, 50}, "silent steps until the link is opened anew");
+  v.number("lost_after", s.lost_after_s, Unit::duration, {0.5, 60.0},
+           "without a packet the robot is lost and the link is opened anew");
+  v.number("back_off", s.back_off_s, Unit::duration, {0.05, 60.0},
+           "before the link is opened anew; doubles each time");
+  v.number("longest_back_off", s.longest_back_off_s, Unit::duration, {0.05, 600.0},
+           "it never waits longer");
+  v.number("most_forward", s.most_forward_m_s, Unit::speed, {0.05, 2.2}, "told to the robot");
+  v.number("most_turn", s.most_turn_rad_s, Unit::turn_rate, {0.05, 8.0}, "told to the robot");
+  v.number("acceleration", s.acceleration_m_s2, Unit::acceleration, {0.05, 2.0},
+           "of speeding up and of slowing down; told to the robot");
+  v.number("turn_acceleration", s.turn_acceleration_rad_s2, Unit::turn_acceleration, {0.1, 5.0},
+           "told to the robot");
+}
+
+}  // namespace striate::pioneer

@@ -1,0 +1,140 @@
+#include "platform/pioneer/turret/turret_driver.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace striate::pioneer {
+
+using dynamixel::Error;
+using dynamixel::Register;
+
+namespace {
+
+/// Position, speed, load, voltage and temperature stand side by side.
+constexpr std::uint8_t kStateSize = 8;
+constexpr double kThereRad = 0.035;
+constexpr double kCloserRad = 0.01;
+constexpr std::uint16_t kFullTorque = 1023;
+constexpr std::uint16_t kClockwiseLoad = 1U << 10;
+
+}  // namespace
+
+TurretDriver::TurretDriver(const TurretSettings& settings) : settings_(settings) {
+  servos_[0].id = static_cast<std::uint8_t>(settings.pan_id);
+  servos_[0].most_rad = settings.most_pan_rad;
+  servos_[1].id = static_cast<std::uint8_t>(settings.tilt_id);
+  servos_[1].most_rad = settings.most_tilt_rad;
+}
+
+void TurretDriver::command(const HeadPose& wanted) {
+  const std::array<double, 2> angles{wanted.pan_rad, wanted.tilt_rad};
+  for (std::size_t i = 0; i < servos_.size(); ++i) {
+    Servo& servo = servos_[i];
+    if (!std::isfinite(angles[i])) continue;
+    const double goal = std::clamp(angles[i], -servo.most_rad, servo.most_rad);
+    const bool moved = !servo.goal_rad || std::abs(*servo.goal_rad - goal) > kCloserRad;
+    servo.goal_rad = goal;
+    if (moved) {
+      servo.closest_rad = std::abs(goal - servo.health.angle_rad);
+      servo.closer_at = servo.health.stamp;
+    }
+  }
+}
+
+void TurretDriver::reset() {
+  for (Servo& servo : servos_) {
+    servo.goal_rad.reset();
+    servo.health.stuck = false;
+    if (!servo.health.tripped) continue;
+    servo.health.tripped = false;
+    append(output_, dynamixel::write_word(servo.id, Register::torque_limit, kFullTorque));
+  }
+}
+
+Bytes TurretDriver::take_output() {
+  Bytes bytes;
+  bytes.swap(output_);
+  return bytes;
+}
+
+void TurretDriver::receive(ByteView bytes, TimePoint now) {
+  stream_.push(bytes);
+  while (const auto packet = stream_.next()) {
+    // Replies to writes have no parameters and need none.
+    if (!waiting_ || packet->id != servos_[turn_].id) continue;
+    if (packet->parameters.size() != kStateSize) continue;
+    take(servos_[turn_], *packet, now);
+    waiting_ = false;
+    turn_ = (turn_ + 1) % servos_.size();
+  }
+}
+
+void TurretDriver::take(Servo& servo, const dynamixel::Packet& packet, TimePoint now) {
+  ByteReader reader(packet.parameters);
+  ServoHealth& health = servo.health;
+  health.angle_rad = dynamixel::angle_of(reader.u16());
+  (void)reader.u16();
+  const std::uint16_t load = reader.u16();
+  health.load = (load & 0x3ffU) / 1023.0 * ((load & kClockwiseLoad) != 0 ? -1.0 : 1.0);
+  health.voltage_v = reader.u8() / 10.0;
+  health.temperature_c = reader.u8();
+  health.errors = packet.code;
+  if ((packet.code & (Error::overload | Error::overheat)) != 0) health.tripped = true;
+  health.known = true;
+  health.stamp = now;
+  health.missed_in_a_row = 0;
+  health.silent = false;
+  watch_progress(servo, now);
+}
+
+void TurretDriver::watch_progress(Servo& servo, TimePoint now) {
+  if (!servo.goal_rad) return;
+  const double left = std::abs(*servo.goal_rad - servo.health.angle_rad);
+  if (left < kThereRad || left < servo.closest_rad - kCloserRad) {
+    servo.closest_rad = left;
+    servo.closer_at = now;
+    servo.health.stuck = false;
+  } else if (now - servo.closer_at > from_seconds(settings_.stuck_after_s)) {
+    servo.health.stuck = true;
+  }
+}
+
+void TurretDriver::miss(Servo& servo) {
+  ++servo.health.missed;
+  if (++servo.health.missed_in_a_row >= settings_.silent_after) servo.health.silent = true;
+}
+
+void TurretDriver::write_goals() {
+  std::vector<dynamixel::Goal> goals;
+  for (const Servo& servo : servos_) {
+    // Positions first: a servo that jumps to an unread place would tear at its cables.
+    if (!servo.goal_rad || !servo.health.known || servo.health.tripped) continue;
+    goals.push_back({servo.id, *servo.goal_rad, settings_.most_speed_rad_s});
+  }
+  if (!goals.empty()) append(output_, dynamixel::move(goals));
+}
+
+void TurretDriver::ask(TimePoint now) {
+  append(output_, dynamixel::read(servos_[turn_].id, Register::position, kStateSize));
+  waiting_ = true;
+  asked_at_ = now;
+}
+
+void TurretDriver::tick(TimePoint now) {
+  if (waiting_) {
+    if (now - asked_at_ < from_seconds(settings_.patience_s)) return;
+    // Bytes of half a reply must not swallow the next one.
+    while (stream_.waiting()) {
+      stream_.give_up_waiting();
+      while (stream_.next()) {
+      }
+    }
+    miss(servos_[turn_]);
+    waiting_ = false;
+    turn_ = (turn_ + 1) % servos_.size();
+  }
+  if (turn_ == 0) write_goals();
+  ask(now);
+}
+
+}  // namespace striate::pioneer

@@ -1,0 +1,104 @@
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "config/settings.hpp"
+#include "platform/interface/senses.hpp"
+#include "platform/pioneer/turret/dynamixel.hpp"
+
+namespace striate::pioneer {
+
+struct TurretSettings {
+  int pan_id = 1;
+  int tilt_id = 2;
+  double most_speed_rad_s = 1.0;
+  double most_pan_rad = 1.5;
+  double most_tilt_rad = 0.6;
+  double patience_s = 0.03;
+  int silent_after = 5;
+  double stuck_after_s = 1.0;
+};
+
+template <class V>
+void visit(V& v, TurretSettings& s) {
+  using config::Unit;
+  v.integer("pan_id", s.pan_id, {0, 252}, "of the servo that pans");
+  v.integer("tilt_id", s.tilt_id, {0, 252}, "of the servo that tilts");
+  v.number("most_speed", s.most_speed_rad_s, Unit::turn_rate, {0.02, 6.0},
+           "of either servo; a heavy camera wants slow ones");
+  v.number("most_pan", s.most_pan_rad, Unit::angle, {0.0, 2.6}, "to either side");
+  v.number("most_tilt", s.most_tilt_rad, Unit::angle, {0.0, 1.5}, "up and down");
+  v.number("patience", s.patience_s, Unit::duration, {0.005, 1.0},
+           "for a servo's reply; then it is asked again");
+  v.integer("silent_after", s.silent_after, {1, 100}, "missed replies in a row: it is silent");
+  v.number("stuck_after", s.stuck_after_s, Unit::duration, {0.2, 10.0},
+           "without coming nearer to its goal");
+}
+
+/// How one servo is.
+struct ServoHealth {
+  bool known = false;  ///< its position has been read
+  double angle_rad = 0.0;
+  TimePoint stamp;  ///< of the newest reply
+  std::uint64_t missed = 0;
+  int missed_in_a_row = 0;
+  std::uint8_t errors = 0;  ///< dynamixel::Error of the newest reply
+  double voltage_v = 0.0;
+  int temperature_c = 0;
+  double load = 0.0;  ///< -1 .. 1 of the most, counter-clockwise positive
+  bool silent = false;
+  bool stuck = false;
+  bool tripped = false;  ///< latched: overload or overheat has switched it off
+  [[nodiscard]] bool ok() const { return known && !silent && !stuck && !tripped; }
+};
+
+/// The pan/tilt head of two AX-12A on one half-duplex line: one question at a time. Positions are
+/// read before anything moves, speeds are limited, and no servo that fails holds up the other.
+/// Pure: bytes and times go in, bytes come out.
+class TurretDriver {
+ public:
+  explicit TurretDriver(const TurretSettings& settings);
+
+  /// Where it shall look; clamped. Until then it stays where it is.
+  void command(const HeadPose& wanted);
+  /// Gives a tripped servo its torque back; it stays where it is until the next command.
+  void reset();
+
+  void receive(ByteView bytes, TimePoint now);
+  void tick(TimePoint now);
+  [[nodiscard]] Bytes take_output();
+
+  [[nodiscard]] HeadPose pose() const {
+    return {servos_[0].health.angle_rad, servos_[1].health.angle_rad};
+  }
+  [[nodiscard]] const ServoHealth& pan() const { return servos_[0].health; }
+  [[nodiscard]] const ServoHealth& tilt() const { return servos_[1].health; }
+  [[nodiscard]] bool ok() const { return pan().ok() && tilt().ok(); }
+  [[nodiscard]] const dynamixel::Counters& counters() const { return stream_.counters(); }
+
+ private:
+  struct Servo {
+    std::uint8_t id = 0;
+    double most_rad = 0.0;
+    std::optional<double> goal_rad;
+    double closest_rad = 0.0;  ///< to the goal so far
+    TimePoint closer_at;       ///< when it last came closer
+    ServoHealth health;
+  };
+  void ask(TimePoint now);
+  void write_goals();
+  void take(Servo& servo, const dynamixel::Packet& packet, TimePoint now);
+  void watch_progress(Servo& servo, TimePoint now);
+  void miss(Servo& servo);
+
+  TurretSettings settings_;
+  std::array<Servo, 2> servos_;
+  dynamixel::PacketStream stream_;
+  Bytes output_;
+  std::size_t turn_ = 0;  ///< whose turn to be asked
+  bool waiting_ = false;  ///< for the reply of servos_[turn_]
+  TimePoint asked_at_;
+};
+
+}  // namespace striate::pioneer

@@ -1,0 +1,39 @@
+#include "platform/pioneer/laser/lms200.hpp"
+#include "tests/fuzz/fuzz_target.hpp"
+
+using namespace striate::pioneer;
+
+namespace {
+
+std::vector<lms200::Telegram> telegrams(ByteView bytes, std::size_t chunk) {
+  lms200::TelegramStream stream;
+  std::vector<lms200::Telegram> all;
+  for (std::size_t at = 0; at < bytes.size(); at += chunk) {
+    stream.push(bytes.subspan(at, std::min(chunk, bytes.size() - at)));
+    while (auto telegram = stream.next()) all.push_back(std::move(*telegram));
+  }
+  while (stream.waiting()) {
+    stream.give_up_waiting();
+    while (auto telegram = stream.next()) all.push_back(std::move(*telegram));
+  }
+  return all;
+}
+
+std::string text_of(const Bytes& bytes) {
+  return {bytes.begin(), bytes.end()};
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const auto all = telegrams({data, size}, 1);
+  if (all != telegrams({data, size}, size + 1)) __builtin_trap();
+  for (const auto& telegram : all) (void)lms200::read_scan(telegram);
+  (void)lms200::read_scan({lms200::kFromLaser, Bytes(data, data + size)});
+  return 0;
+}
+
+std::vector<std::string> striate::fuzz::seeds() {
+  const lms200::Telegram scan = lms200::write_scan(std::vector<double>(101, 2.0));
+  return {text_of(lms200::reset()) + "\x06" + text_of(lms200::encode(scan)), text_of(scan.data)};
+}
