@@ -52,7 +52,7 @@ struct LandmarkView {
   std::vector<StoredKeypoint> keypoints;  ///< as many as descriptors
   std::optional<double> range_m;          ///< from where it was seen
   std::optional<double> bearing_rad;
-  std::vector<std::uint8_t> picture;  ///< PNG of the region; empty: none
+  std::vector<std::uint8_t> picture;  ///< JPEG of the region; empty: none
   bool damaged = false;               ///< the bytes do not match their checksum: not to be used
 };
 

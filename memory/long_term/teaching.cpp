@@ -150,7 +150,7 @@ Taught teach(MemoryTables& tables, const Session& session, const std::string& na
   episode.time_s = session.operating_start_s;
   episode.kind = "taught";
   episode.landmark = name;
-  episode.text = fmt::format("{} views added, {} merged", taught.added, taught.merged);
+  episode.text = fmt::format("views: {} added, {} like known ones", taught.added, taught.merged);
   tables.sessions.add(episode);
   return taught;
 }
