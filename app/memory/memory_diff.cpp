@@ -13,7 +13,7 @@ namespace {
 std::vector<std::uint32_t> contents(MemoryTables& tables, std::int64_t landmark) {
   std::vector<std::uint32_t> sums;
   for (const LandmarkView& view : tables.views.of(landmark)) {
-    sums.push_back(crc32(view.picture,
+    sums.push_back(crc32c(view.picture,
                          checksum_of_view(view.width_px, view.height_px, bytes_of(view.descriptors),
                                           bytes_of(view.keypoints))));
   }

@@ -15,7 +15,7 @@ constexpr Tables make_tables() {
   Tables tables{};
   for (std::uint32_t byte = 0; byte < 256; ++byte) {
     std::uint32_t value = byte;
-    for (int bit = 0; bit < 8; ++bit) value = (value >> 1) ^ ((value & 1) != 0 ? 0xEDB88320U : 0U);
+    for (int bit = 0; bit < 8; ++bit) value = (value >> 1) ^ ((value & 1) != 0 ? 0x82F63B78U : 0U);
     tables[0][byte] = value;
   }
   for (std::size_t k = 1; k < tables.size(); ++k) {
@@ -29,9 +29,33 @@ constexpr Tables make_tables() {
 
 constexpr Tables kTables = make_tables();
 
+#if defined(__x86_64__)
+__attribute__((target("sse4.2"))) std::uint32_t crc32c_by_instruction(
+    std::span<const std::uint8_t> bytes, std::uint32_t before) {
+  std::uint64_t crc = ~before;
+  std::size_t at = 0;
+  for (; at + 8 <= bytes.size(); at += 8) {
+    std::uint64_t eight = 0;
+    std::memcpy(&eight, bytes.data() + at, 8);
+    crc = __builtin_ia32_crc32di(crc, eight);
+  }
+  auto last = static_cast<std::uint32_t>(crc);
+  for (; at < bytes.size(); ++at) last = __builtin_ia32_crc32qi(last, bytes[at]);
+  return ~last;
+}
+#endif
+
 }  // namespace
 
-std::uint32_t crc32(std::span<const std::uint8_t> bytes, std::uint32_t before) {
+std::uint32_t crc32c(std::span<const std::uint8_t> bytes, std::uint32_t before) {
+#if defined(__x86_64__)
+  static const bool has_instruction = __builtin_cpu_supports("sse4.2") != 0;
+  if (has_instruction) return crc32c_by_instruction(bytes, before);
+#endif
+  return crc32c_by_tables(bytes, before);
+}
+
+std::uint32_t crc32c_by_tables(std::span<const std::uint8_t> bytes, std::uint32_t before) {
   std::uint32_t crc = ~before;
   std::size_t at = 0;
   for (; at + 8 <= bytes.size(); at += 8) {

@@ -44,7 +44,7 @@ void check_views(SQLite::Database& database, std::vector<std::string>& damage) {
           "is not used; teach it again: striate teach \"{}\" --image PICTURE",
           name, id, name));
     }
-    if (crc32(bytes_of(views.getColumn(7))) !=
+    if (crc32c(bytes_of(views.getColumn(7))) !=
         static_cast<std::uint32_t>(views.getColumn(8).getInt64())) {
       damage.push_back(
           fmt::format("landmark '{}', view {}: its picture does not match its "

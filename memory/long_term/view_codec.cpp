@@ -48,7 +48,7 @@ std::uint32_t checksum_of_view(double width_px, double height_px,
   std::array<std::uint8_t, 16> size{};
   std::memcpy(size.data(), &width_px, 8);
   std::memcpy(size.data() + 8, &height_px, 8);
-  return crc32(keypoints, crc32(descriptors, crc32(size)));
+  return crc32c(keypoints, crc32c(descriptors, crc32c(size)));
 }
 
 StoredDescriptor stored(const Descriptor& descriptor) {

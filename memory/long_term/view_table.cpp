@@ -23,7 +23,7 @@ ViewTable::ViewTable(SQLite::Database& database)
       of_(database, "SELECT " + kColumns + ", v.picture FROM landmark_view v " +
                         "WHERE v.landmark = ? ORDER BY v.id"),
       each_(database, "SELECT " + kColumns +
-                          " FROM landmark_view v JOIN landmark l ON l.id = v.landmark "
+                          " FROM landmark_view v CROSS JOIN landmark l ON l.id = v.landmark "
                           "WHERE l.retired_s IS NULL ORDER BY v.id"),
       remove_(database, "DELETE FROM landmark_view WHERE id = ?"),
       hand_over_(database, "UPDATE landmark_view SET landmark = ? WHERE landmark = ?"),
@@ -44,7 +44,7 @@ std::int64_t ViewTable::add(const LandmarkView& view) {
       checksum_of_view(view.width_px, view.height_px, descriptors, keypoints)));
   use.with_bytes(descriptors.data(), descriptors.size());
   use.with_bytes(keypoints.data(), keypoints.size());
-  use.with(static_cast<std::int64_t>(crc32(view.picture)));
+  use.with(static_cast<std::int64_t>(crc32c(view.picture)));
   if (view.picture.empty()) {
     use.with_null();
   } else {

@@ -27,11 +27,15 @@ Taught teach_in_session(Opened& memory, const std::string& name,
   return taught;
 }
 
-TEST(Checksum, IsThatOfZip) {
+TEST(Checksum, IsCrc32cOnEveryProcessor) {
   const std::string text = "123456789";
   const std::vector<std::uint8_t> bytes(text.begin(), text.end());
-  EXPECT_EQ(crc32(bytes), 0xCBF43926U);
-  EXPECT_EQ(crc32(std::span(bytes).subspan(4), crc32(std::span(bytes).first(4))), 0xCBF43926U);
+  EXPECT_EQ(crc32c(bytes), 0xE3069283U);
+  EXPECT_EQ(crc32c_by_tables(bytes), 0xE3069283U);
+  EXPECT_EQ(crc32c(std::span(bytes).subspan(4), crc32c(std::span(bytes).first(4))), 0xE3069283U);
+  std::vector<std::uint8_t> longer(1003);
+  for (std::size_t k = 0; k < longer.size(); ++k) longer[k] = static_cast<std::uint8_t>(k * k / 7);
+  EXPECT_EQ(crc32c(longer, 17), crc32c_by_tables(longer, 17));
 }
 
 TEST(Tables, ALandmarkAndItsViewComeBackAsTheyWere) {
