@@ -33,9 +33,12 @@ TEST(Checksum, IsCrc32cOnEveryProcessor) {
   EXPECT_EQ(crc32c(bytes), 0xE3069283U);
   EXPECT_EQ(crc32c_by_tables(bytes), 0xE3069283U);
   EXPECT_EQ(crc32c(std::span(bytes).subspan(4), crc32c(std::span(bytes).first(4))), 0xE3069283U);
-  std::vector<std::uint8_t> longer(1003);
+  std::vector<std::uint8_t> longer(5003);
   for (std::size_t k = 0; k < longer.size(); ++k) longer[k] = static_cast<std::uint8_t>(k * k / 7);
-  EXPECT_EQ(crc32c(longer, 17), crc32c_by_tables(longer, 17));
+  for (const std::size_t size : {0U, 1U, 7U, 8U, 1003U, 1535U, 1536U, 1544U, 3072U, 5003U}) {
+    const auto part = std::span(longer).first(size);
+    EXPECT_EQ(crc32c(part, 17), crc32c_by_tables(part, 17)) << size;
+  }
 }
 
 TEST(Tables, ALandmarkAndItsViewComeBackAsTheyWere) {
