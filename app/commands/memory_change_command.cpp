@@ -58,7 +58,7 @@ void prune_command(const MemoryCommandOptions& options, bool yes) {
   bool removed = false;
   with_memory(options.file, yes ? Access::edit : Access::read, "pruning it",
               [&](MemoryTables& tables, MemoryFile&) {
-                const LongTermSettings settings;
+                const LongTermSettings settings = options.settings();
                 const PrunePlan plan = plan_prune(tables, settings);
                 if (yes) prune(tables, plan, settings);
                 removed = yes && (!plan.remove.empty() || plan.episodes > 0);

@@ -15,6 +15,7 @@ void add_memory_command(CLI::App& app, int& exit_code) {
       "The file is an SQLite database: the sqlite3 shell opens it too.");
   command->require_subcommand(1);
   command->add_option("file,--memory", shared->file, "the memory")->capture_default_str();
+  command->add_option("--robot", shared->robot, "settings of the robot and its mind");
   command->add_flag("--json", shared->json, "print JSON instead of text");
   add_memory_look_verbs(*command, shared, exit_code);
   add_memory_map_verbs(*command, shared, exit_code);

@@ -4,13 +4,21 @@
 #include <memory>
 #include <string>
 
+#include "app/robot_settings.hpp"
+
 /// The verbs of `striate memory`, a file a group.
 namespace striate {
 
 /// What all verbs share.
 struct MemoryCommandOptions {
   std::string file = "home.db";
+  std::string robot;  ///< settings file; empty: the defaults
   bool json = false;
+
+  /// @throws UserError with all mistakes of the settings file.
+  [[nodiscard]] LongTermSettings settings() const {
+    return load_robot_settings(robot).long_term_memory;
+  }
 };
 
 using SharedMemoryOptions = std::shared_ptr<MemoryCommandOptions>;

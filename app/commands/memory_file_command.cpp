@@ -92,7 +92,7 @@ void take_in(const MemoryCommandOptions& options, const std::string& from, Memor
   writer.commit([&](MemoryTables& tables) {
     const Session session = tables.sessions.begin(SessionKind::import, software_name(), from,
                                                   memory_options(Access::session, "").now_unix_s);
-    merged = merge(tables, other, {});
+    merged = merge(tables, other, options.settings());
     tables.sessions.end(session.id, 0.0, "kept");
   });
   if (options.json) {

@@ -37,10 +37,11 @@ std::string ago(const Landmark& landmark, double now_s) {
 /// The most active first, as they would be looked for.
 void list(const MemoryCommandOptions& options, bool with_retired) {
   with_memory(options.file, Access::read, "listing it", [&](MemoryTables& tables, MemoryFile&) {
+    const LongTermSettings settings = options.settings();
     const Situation situation{tables.sessions.operating_now_s(), 0, {}};
     std::vector<std::pair<double, Landmark>> rows;
     for (const Landmark& landmark : tables.landmarks.all(with_retired)) {
-      rows.emplace_back(activation_of(landmark, situation, {}, {}).total(), landmark);
+      rows.emplace_back(activation_of(landmark, situation, {}, settings).total(), landmark);
     }
     std::stable_sort(rows.begin(), rows.end(),
                      [](const auto& a, const auto& b) { return a.first > b.first; });
@@ -106,11 +107,12 @@ void show(const MemoryCommandOptions& options, const std::string& name,
 
 void why(const MemoryCommandOptions& options, const std::string& name, const std::string& goal) {
   with_memory(options.file, Access::read, "explaining it", [&](MemoryTables& tables, MemoryFile&) {
+    const LongTermSettings settings = options.settings();
     const Landmark landmark = find_landmark(tables, name);
     Situation situation{tables.sessions.operating_now_s(), 0, {}};
     if (!goal.empty()) situation.goal = find_landmark(tables, goal).id;
     const std::vector<Route> routes = tables.places.routes();
-    std::string keeps = why_forgettable(landmark, situation.now_s, {});
+    std::string keeps = why_forgettable(landmark, situation.now_s, settings);
     if (landmark.retired_s) {
       keeps = "it is forgotten: " + landmark.retired_why;
     } else if (!keeps.empty()) {
@@ -121,7 +123,7 @@ void why(const MemoryCommandOptions& options, const std::string& name, const std
                                                       : "it is not forgotten: strong or active";
     }
     if (options.json) {
-      const Activation parts = activation_of(landmark, situation, routes, {});
+      const Activation parts = activation_of(landmark, situation, routes, settings);
       fmt::print("{}", print_json({{"name", landmark.name},
                                    {"activation", parts.total()},
                                    {"base", parts.base},
@@ -131,7 +133,7 @@ void why(const MemoryCommandOptions& options, const std::string& name, const std
                                    {"fate", keeps}}));
       return;
     }
-    for (const std::string& line : explain(landmark, situation, routes, {})) {
+    for (const std::string& line : explain(landmark, situation, routes, settings)) {
       fmt::print("{}\n", line);
     }
     fmt::print("  {}.\n", keeps);

@@ -9,6 +9,7 @@
 #include "app/memory/open_memory.hpp"
 #include "app/memory/picture_view.hpp"
 #include "app/perceive_files.hpp"
+#include "app/robot_settings.hpp"
 #include "config/user_error.hpp"
 #include "memory/long_term/memory_writer.hpp"
 #include "memory/long_term/teaching.hpp"
@@ -20,6 +21,7 @@ struct TeachOptions {
   std::string name;
   std::vector<std::string> images;
   std::string memory = "home.db";
+  std::string robot;  ///< settings file; empty: the defaults
   bool undo = false;
   bool json = false;
 };
@@ -74,7 +76,7 @@ void print_taught(const TeachOptions& options, const Taught& taught) {
 
 void teach_pictures(const TeachOptions& options) {
   check_landmark_name(options.name);
-  const LongTermSettings settings;
+  const LongTermSettings settings = load_robot_settings(options.robot).long_term_memory;
   std::vector<LandmarkView> views;
   for (const std::string& file : picture_files(options.images)) {
     views.push_back(view_of_picture(read_any_picture(file), settings));
@@ -136,6 +138,7 @@ void add_teach_command(CLI::App& app, int& exit_code) {
       ->allow_extra_args(false);
   command->add_option("--memory", options->memory, "the memory; made where there is none")
       ->capture_default_str();
+  command->add_option("--robot", options->robot, "settings of the robot and its mind");
   command->add_flag("--undo", options->undo, "takes back what was taught last");
   command->add_flag("--json", options->json, "print JSON instead of text");
   command->callback([options, &exit_code] { exit_code = run(*options); });

@@ -42,7 +42,7 @@ void MemoryWriter::post(Job job) {
   wake_.notify_one();
 }
 
-void MemoryWriter::commit(Job job) {
+void MemoryWriter::commit(const Job& job) {
   const std::lock_guard turn(one_teacher_);
   std::unique_lock lock(mutex_);
   taught_error_ = nullptr;

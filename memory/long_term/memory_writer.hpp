@@ -34,7 +34,7 @@ class MemoryWriter {
   void post(Job job);
   /// Commits with synchronous FULL, after all that was posted before, and returns when it is on the
   /// disk. @throws UserError with a sentence where it could not be; then nothing of it was kept.
-  void commit(Job job);
+  void commit(const Job& job);
 
   /// Posted jobs that were lost: queue full, disk full.
   [[nodiscard]] std::uint64_t lost() const;

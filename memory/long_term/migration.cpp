@@ -16,7 +16,7 @@ namespace {
 
 /// A whole copy under its final name, or none.
 std::string back_up(SQLite::Database& database, const std::string& path, int version) {
-  const std::string name = fmt::format("{}.v{}.backup", path, version);
+  std::string name = fmt::format("{}.v{}.backup", path, version);
   const std::string part = name + ".part";
   std::filesystem::remove(part);
   SQLite::Statement copy(database, "VACUUM INTO ?");

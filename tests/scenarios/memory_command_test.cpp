@@ -72,6 +72,8 @@ TEST(Teach, FromPicturesAndAFolderThenLookedInto) {
   EXPECT_THAT(memory(file, {"why", "book"}).out,
               AllOf(HasSubstr("'book' has activation"), HasSubstr("a person taught it")));
   EXPECT_EQ(memory_json(file, {"why", "book", "--goal", "book"}).at("goal"), 2.0);
+  const std::string robot = folder.write("robot.yaml", "long_term_memory: {goal_spread: 3}\n");
+  EXPECT_EQ(memory_json(file, {"why", "book", "--goal", "book", "--robot", robot}).at("goal"), 3.0);
   EXPECT_EQ(memory_json(file, {"show", "cup"}).at("looks").size(), 2U);
   const std::string picture = folder / "cup.png";
   EXPECT_THAT(memory(file, {"show", "cup", "--picture", picture}).out, HasSubstr("320 px"));
