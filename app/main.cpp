@@ -22,6 +22,9 @@ constexpr const char* kAbout =
     "      shows what the vision makes of any picture pair\n"
     "  striate eval patches DIR\n"
     "      measures the vision on your own data, beside OpenCV's methods\n"
+    "  striate teach book --image cover.png --memory home.db\n"
+    "  striate memory home.db list\n"
+    "      teaches a landmark from pictures, and looks into what is remembered\n"
     "  striate check config/tasks/*.yaml config/worlds/*.yaml\n"
     "      tells every mistake of task scripts, worlds and settings\n"
     "  striate task actions\n"
@@ -48,6 +51,8 @@ int run(int argc, char** argv) {
   striate::add_config_command(app, exit_code);
   striate::add_eval_command(app, exit_code);
   striate::add_learn_descriptor_command(app, exit_code);
+  striate::add_teach_command(app, exit_code);
+  striate::add_memory_command(app, exit_code);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -5,6 +5,7 @@
 
 #include "behaviours/safety_limiter.hpp"
 #include "config/settings.hpp"
+#include "memory/long_term/long_term_settings.hpp"
 #include "memory/short_term_memory.hpp"
 #include "perception/perception.hpp"
 #include "platform/pioneer/base_driver_settings.hpp"
@@ -17,6 +18,7 @@ namespace striate {
 struct RobotSettings {
   PerceptionSettings perception;
   ShortTermMemorySettings memory;
+  LongTermSettings long_term_memory;
   SafetyLimiterSettings safety;
   simulator::CameraSettings camera;
   simulator::SimulatorSettings simulator;
@@ -27,6 +29,7 @@ template <class V>
 void visit(V& v, RobotSettings& s) {
   v.section("perception", s.perception);
   v.section("memory", s.memory);
+  v.section("long_term_memory", s.long_term_memory);
   v.section("safety", s.safety);
   v.section("camera", s.camera);
   v.section("simulator", s.simulator);

@@ -16,5 +16,7 @@ void add_check_command(CLI::App& app, int& exit_code);
 void add_config_command(CLI::App& app, int& exit_code);
 void add_eval_command(CLI::App& app, int& exit_code);
 void add_learn_descriptor_command(CLI::App& app, int& exit_code);
+void add_teach_command(CLI::App& app, int& exit_code);
+void add_memory_command(CLI::App& app, int& exit_code);
 
 }  // namespace striate

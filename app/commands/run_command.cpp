@@ -7,6 +7,7 @@
 #include "app/commands/commands.hpp"
 #include "app/interrupt.hpp"
 #include "app/mission.hpp"
+#include "app/mission_memory.hpp"
 #include "app/mission_pictures.hpp"
 #include "app/status_line.hpp"
 
@@ -19,6 +20,7 @@ struct RunOptions {
   int picture_every = 0;
   std::string pictures;
   std::string result;
+  std::string memory;
   bool quiet = false;
   bool json = false;
 };
@@ -82,15 +84,18 @@ int run(const RunOptions& given) {
   const Interrupt interrupt;
   Mission mission(options.mission);
   MissionPictures pictures(options.pictures, options.picture_every);
+  MissionMemory memory(options.memory, options.mission);
   StatusLine status(options.quiet || options.json);
   std::string said;
   const RunResult result = mission.run([&](const Mission& running) {
     pictures.take(running);
     tell_what_is_said(running, said, status);
+    memory.take(running);
     if (status.due()) status.show(status_text(running));
     return Interrupt::requested();
   });
   status.clear();
+  memory.finish(mission, result);
   pictures.finish(mission, result);
   const std::string json = to_json(result).dump(2) + "\n";
   if (!options.result.empty()) write_file(options.result, json);
@@ -128,6 +133,8 @@ void add_run_command(CLI::App& app, int& exit_code) {
   command->add_option("--pictures", options->pictures,
                       "folder for overview pictures and the plan of the run");
   command->add_option("--result", options->result, "JSON file for what came of it");
+  command->add_option("--memory", options->memory,
+                      "the long-term memory that keeps what happens; made where there is none");
   command->add_flag("--quiet", options->quiet, "print nothing");
   command->add_flag("--json", options->json, "print the result as JSON instead of the summary");
   command->callback([options, &exit_code] { exit_code = run(*options); });

@@ -1,0 +1,110 @@
+#include <fmt/format.h>
+
+#include "app/commands/memory_command.hpp"
+#include "app/memory/memory_json.hpp"
+#include "app/memory/open_memory.hpp"
+#include "app/memory/text_table.hpp"
+#include "memory/long_term/forgetting.hpp"
+
+namespace striate {
+namespace {
+
+void print_done(const MemoryCommandOptions& options, const std::string& name, const char* what) {
+  if (options.json) {
+    fmt::print("{}", print_json({{"name", name}, {"done", what}}));
+  } else {
+    fmt::print("{}: {}\n", name, what);
+  }
+}
+
+void print_plan(const MemoryCommandOptions& options, const PrunePlan& plan, bool done) {
+  if (options.json) {
+    nlohmann::ordered_json json = {{"done", done},
+                                   {"retire", nlohmann::ordered_json::array()},
+                                   {"remove", nlohmann::ordered_json::array()},
+                                   {"episodes", plan.episodes}};
+    for (const Landmark& one : plan.retire) json["retire"].push_back(to_json(one));
+    for (const Landmark& one : plan.remove) json["remove"].push_back(to_json(one));
+    fmt::print("{}", print_json(json));
+    return;
+  }
+  if (plan.empty()) {
+    fmt::print("nothing to prune\n");
+    return;
+  }
+  TextTable table({"landmark", "what", "why"});
+  for (const Landmark& one : plan.retire) {
+    table.add({one.name, "forget (can be restored)", one.retired_why});
+  }
+  for (const Landmark& one : plan.remove) {
+    table.add({one.name, "remove for good", "forgotten long ago: " + one.retired_why});
+  }
+  if (!table.empty()) fmt::print("{}", table.print(terminal_width()));
+  if (plan.episodes > 0) fmt::print("{} old episodes: remove\n", plan.episodes);
+  fmt::print("{}", done ? "done\n" : "nothing was changed: --yes does it\n");
+}
+
+/// What pruning gave back reaches the disk only when the file is written anew.
+void give_room_back(const std::string& path) {
+  MemoryFile file(path, memory_options(Access::edit, "striate memory"));
+  try {
+    file.database().exec("VACUUM");
+  } catch (const SQLite::Exception&) {
+    fmt::print(stderr, "{}: in use: its room is given back by the next prune\n", path);
+  }
+}
+
+void prune_command(const MemoryCommandOptions& options, bool yes) {
+  bool removed = false;
+  with_memory(options.file, yes ? Access::edit : Access::read, "pruning it",
+              [&](MemoryTables& tables, MemoryFile&) {
+                const LongTermSettings settings = options.settings();
+                const PrunePlan plan = plan_prune(tables, settings);
+                if (yes) prune(tables, plan, settings);
+                removed = yes && (!plan.remove.empty() || plan.episodes > 0);
+                print_plan(options, plan, yes);
+              });
+  if (removed) give_room_back(options.file);
+}
+
+}  // namespace
+
+void add_memory_change_verbs(CLI::App& command, const SharedMemoryOptions& shared, int& exit_code) {
+  struct Given {
+    std::string name;
+    bool yes = false;
+  };
+  auto forgotten = std::make_shared<Given>();
+  CLI::App* verb = command.add_subcommand(
+      "forget", "Forgets a landmark: it is no longer looked for. 'restore' brings it back.");
+  verb->add_option("name", forgotten->name, "the landmark")->required();
+  verb->callback([shared, forgotten, &exit_code] {
+    with_memory(shared->file, Access::edit, "forgetting it",
+                [&](MemoryTables& tables, MemoryFile&) {
+                  forget(tables, forgotten->name, "a person asked for it");
+                });
+    print_done(*shared, forgotten->name, "forgotten");
+    exit_code = 0;
+  });
+  auto restored = std::make_shared<Given>();
+  verb = command.add_subcommand("restore", "Brings a forgotten landmark back, and pins it.");
+  verb->add_option("name", restored->name, "the landmark")->required();
+  verb->callback([shared, restored, &exit_code] {
+    with_memory(shared->file, Access::edit, "restoring it",
+                [&](MemoryTables& tables, MemoryFile&) { restore(tables, restored->name); });
+    print_done(*shared, restored->name, "restored");
+    exit_code = 0;
+  });
+  auto pruned = std::make_shared<Given>();
+  verb = command.add_subcommand(
+      "prune",
+      "Shows what may go: weak and inactive landmarks that nobody taught are forgotten,\n"
+      "those forgotten for 50 hours of work are removed for good, old episodes too.");
+  verb->add_flag("--yes", pruned->yes, "does it");
+  verb->callback([shared, pruned, &exit_code] {
+    prune_command(*shared, pruned->yes);
+    exit_code = 0;
+  });
+}
+
+}  // namespace striate

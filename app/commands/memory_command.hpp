@@ -1,0 +1,35 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <string>
+
+#include "app/robot_settings.hpp"
+
+/// The verbs of `striate memory`, a file a group.
+namespace striate {
+
+/// What all verbs share.
+struct MemoryCommandOptions {
+  std::string file = "home.db";
+  std::string robot;  ///< settings file; empty: the defaults
+  bool json = false;
+
+  /// @throws UserError with all mistakes of the settings file.
+  [[nodiscard]] LongTermSettings settings() const {
+    return load_robot_settings(robot).long_term_memory;
+  }
+};
+
+using SharedMemoryOptions = std::shared_ptr<MemoryCommandOptions>;
+
+/// list, show, why
+void add_memory_look_verbs(CLI::App& command, const SharedMemoryOptions& shared, int& exit_code);
+/// map, episodes
+void add_memory_map_verbs(CLI::App& command, const SharedMemoryOptions& shared, int& exit_code);
+/// forget, restore, prune
+void add_memory_change_verbs(CLI::App& command, const SharedMemoryOptions& shared, int& exit_code);
+/// check, diff, export, import, merge
+void add_memory_file_verbs(CLI::App& command, const SharedMemoryOptions& shared, int& exit_code);
+
+}  // namespace striate

@@ -1,0 +1,94 @@
+#include "app/mission_memory.hpp"
+
+#include <fmt/format.h>
+
+#include "app/memory/open_memory.hpp"
+#include "config/user_error.hpp"
+
+namespace striate {
+namespace {
+
+constexpr double kNoteTimeEvery_s = 60.0;  ///< what a crash may lose of the operating time
+
+}  // namespace
+
+MissionMemory::MissionMemory(const std::string& file, const MissionOptions& mission) {
+  if (file.empty()) return;
+  const MemoryOptions options = memory_options(Access::session, "striate run");
+  writer_ = std::make_unique<MemoryWriter>(file, options);
+  print_notices(writer_->notices());
+  writer_->commit([&](MemoryTables& tables) {
+    session_ = tables.sessions.begin(
+        SessionKind::mission, software_name(),
+        fmt::format("{} in {}, seed {}", mission.task, mission.world, mission.seed),
+        options.now_unix_s);
+    Episode start;
+    start.session = session_.id;
+    start.time_s = session_.operating_start_s;
+    start.kind = "start";
+    start.text = session_.settings;
+    tables.sessions.add(start);
+  });
+}
+
+void MissionMemory::take(const Mission& mission) {
+  if (writer_ == nullptr) return;
+  const auto& collisions = mission.body().judge().collisions();
+  for (; collisions_ < collisions.size(); ++collisions_) {
+    note(mission, "collision", "touched " + collisions[collisions_].hit);
+  }
+  const auto& near_misses = mission.body().judge().near_misses();
+  for (; near_misses_ < near_misses.size(); ++near_misses_) {
+    const simulator::NearMiss& near = near_misses[near_misses_];
+    note(mission, "near miss", fmt::format("{:.2f} m from {}", near.clearance_m, near.to));
+  }
+  if (const int stops = mission.cycle().limiter().emergency_stops(); stops > emergency_stops_) {
+    emergency_stops_ = stops;
+    note(mission, "emergency stop", name_of(mission.cycle().limiter().reason()));
+  }
+  const double now_s = to_seconds(mission.cycle().trace().senses.now);
+  if (now_s - noted_s_ < kNoteTimeEvery_s) return;
+  noted_s_ = now_s;
+  writer_->post(
+      [id = session_.id, now_s](MemoryTables& tables) { tables.sessions.note_time(id, now_s); });
+}
+
+void MissionMemory::finish(const Mission& mission, const RunResult& result) {
+  if (writer_ == nullptr) return;
+  try {
+    writer_->commit([&](MemoryTables& tables) {
+      const std::string text = result.outcome + (result.reason.empty() ? "" : ": " + result.reason);
+      tables.sessions.add(episode_now(mission, "end", text));
+      tables.sessions.end(session_.id, result.duration_s, text);
+    });
+  } catch (const UserError& error) {
+    fmt::print(stderr, "{}\n", error.what());
+  }
+  if (writer_->lost() > 0) {
+    fmt::print(stderr, "{} episodes were not kept: {}\n", writer_->lost(), writer_->why_lost());
+  }
+  writer_.reset();
+}
+
+Episode MissionMemory::episode_now(const Mission& mission, const std::string& kind,
+                                   const std::string& text) const {
+  const Senses& senses = mission.cycle().trace().senses;
+  Episode episode;
+  episode.session = session_.id;
+  episode.time_s = session_.operating_start_s + to_seconds(senses.now);
+  episode.kind = kind;
+  episode.x_m = senses.odometry.pose.x_m;
+  episode.y_m = senses.odometry.pose.y_m;
+  episode.heading_rad = senses.odometry.pose.heading_rad;
+  episode.text = text;
+  return episode;
+}
+
+void MissionMemory::note(const Mission& mission, const std::string& kind, const std::string& text) {
+  const Episode episode = episode_now(mission, kind, text);
+  const Point2 where{episode.x_m.value_or(0.0), episode.y_m.value_or(0.0)};
+  if (!gate_.is_news(kind + text, episode.time_s, where)) return;
+  writer_->post([episode](MemoryTables& tables) { tables.sessions.add(episode); });
+}
+
+}  // namespace striate

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "memory/long_term/long_term_settings.hpp"
+#include "memory/long_term/memory_tables.hpp"
+
+namespace striate {
+
+/// What came of merging another memory into one.
+struct Merged {
+  int added = 0;                     ///< landmarks that were not known
+  int joined = 0;                    ///< landmarks that both knew
+  int views = 0;                     ///< views that came in
+  int damaged = 0;                   ///< views of the other that were left out
+  std::vector<std::string> remarks;  ///< names that changed, what could not be taken over
+};
+
+/// Takes all that `other` knows into `tables`, within a transaction. Landmarks of the same name, or
+/// whose views show the same thing, become one with the views of both; routes go along. Positions
+/// and the obstacle grid are taken over only where there are none yet: two robots' maps have
+/// different origins.
+[[nodiscard]] Merged merge(MemoryTables& tables, MemoryTables& other,
+                           const LongTermSettings& settings);
+
+}  // namespace striate

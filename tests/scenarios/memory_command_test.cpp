@@ -1,0 +1,263 @@
+#include <SQLiteCpp/Database.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/mount.h>
+
+#include <nlohmann/json.hpp>
+#include <opencv2/core.hpp>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "tests/scenarios/striate_process.hpp"
+
+namespace striate::scenarios {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+/// A print of blots, another for each seed.
+std::string picture_of_a_thing(const TemporaryFolder& folder, int seed) {
+  cv::Mat3b picture(240, 320, cv::Vec3b(200, 200, 200));
+  cv::RNG random(static_cast<std::uint64_t>(seed) + 1);
+  for (int k = 0; k < 120; ++k) {
+    const cv::Point at(random.uniform(10, 310), random.uniform(10, 230));
+    const cv::Scalar colour(random.uniform(0, 256), random.uniform(0, 256), random.uniform(0, 256));
+    cv::rectangle(picture, at, at + cv::Point(random.uniform(6, 40), random.uniform(6, 30)), colour,
+                  cv::FILLED);
+  }
+  const std::string file = folder / ("thing_" + std::to_string(seed) + ".png");
+  cv::imwrite(file, picture);
+  return file;
+}
+
+void execute(const std::string& file, const std::string& sql) {
+  SQLite::Database(file, SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE).exec(sql);
+}
+
+Ended memory(const std::string& file, std::vector<std::string> words) {
+  words.insert(words.begin(), {"memory", file});
+  return striate(words);
+}
+
+nlohmann::json memory_json(const std::string& file, std::vector<std::string> words) {
+  words.emplace_back("--json");
+  const Ended ended = memory(file, words);
+  EXPECT_EQ(ended.exit_code, 0) << ended.err;
+  return nlohmann::json::parse(ended.out);
+}
+
+void teach(const std::string& file, const std::string& name, const std::string& picture) {
+  const Ended ended = striate({"teach", name, "--image", picture, "--memory", file});
+  EXPECT_EQ(ended.exit_code, 0) << ended.err;
+}
+
+TEST(Teach, FromPicturesAndAFolderThenLookedInto) {
+  const TemporaryFolder folder;
+  const std::string file = folder / "home.db";
+  teach(file, "book", picture_of_a_thing(folder, 1));
+  std::filesystem::create_directory(folder / "cup");
+  for (const int seed : {2, 3}) {
+    const std::string picture = picture_of_a_thing(folder, seed);
+    std::filesystem::rename(picture, (folder / "cup") + "/" + std::to_string(seed) + ".png");
+  }
+  const Ended cup = striate({"teach", "cup", "--image", folder / "cup", "--memory", file});
+  EXPECT_EQ(cup.exit_code, 0) << cup.err;
+  EXPECT_THAT(cup.out, AllOf(HasSubstr("cup: new, 2 views added"), Not(HasSubstr("looks like"))));
+
+  const nlohmann::json list = memory_json(file, {"list"});
+  ASSERT_EQ(list.size(), 2U);
+  EXPECT_THAT(memory(file, {"list"}).out, AllOf(HasSubstr("book"), HasSubstr("taught")));
+  EXPECT_THAT(memory(file, {"why", "book"}).out,
+              AllOf(HasSubstr("'book' has activation"), HasSubstr("a person taught it")));
+  EXPECT_EQ(memory_json(file, {"why", "book", "--goal", "book"}).at("goal"), 2.0);
+  const std::string robot = folder.write("robot.yaml", "long_term_memory: {goal_spread: 3}\n");
+  EXPECT_EQ(memory_json(file, {"why", "book", "--goal", "book", "--robot", robot}).at("goal"), 3.0);
+  EXPECT_EQ(memory_json(file, {"show", "cup"}).at("looks").size(), 2U);
+  const std::string picture = folder / "cup.png";
+  EXPECT_THAT(memory(file, {"show", "cup", "--picture", picture}).out, HasSubstr("320 px"));
+  EXPECT_FALSE(cv::imread(picture).empty());
+  EXPECT_THAT(memory(file, {"episodes"}).out, HasSubstr("taught"));
+  EXPECT_EQ(memory_json(file, {"episodes", "--most", "1"}).size(), 1U);
+  EXPECT_THAT(memory(file, {"check"}).out, HasSubstr("good: 2 landmarks, 3 views"));
+  EXPECT_EQ(memory(file, {"show", "bok"}).exit_code, 2);
+}
+
+TEST(Teach, SaysWhatLooksAlikeAndWhatHasNoStructureAndCanBeUndone) {
+  const TemporaryFolder folder;
+  const std::string file = folder / "home.db";
+  const std::string picture = picture_of_a_thing(folder, 1);
+  teach(file, "book", picture);
+  const Ended again = striate({"teach", "cover", "--image", picture, "--memory", file});
+  EXPECT_THAT(again.out, HasSubstr("looks like 'book'"));
+  EXPECT_EQ(striate({"teach", "--undo", "--memory", file}).exit_code, 0);
+  EXPECT_EQ(memory_json(file, {"list"}).size(), 1U);
+
+  const std::string wall = folder / "wall.png";
+  cv::imwrite(wall, cv::Mat3b(200, 200, cv::Vec3b(180, 180, 180)));
+  const Ended bare = striate({"teach", "wall", "--image", wall, "--memory", file});
+  EXPECT_EQ(bare.exit_code, 2);
+  EXPECT_THAT(bare.err, HasSubstr("too little structure"));
+  EXPECT_EQ(memory_json(file, {"list"}).size(), 1U);
+  EXPECT_EQ(striate({"teach", "x", "--image", folder / "none.png", "--memory", file}).exit_code, 2);
+  EXPECT_EQ(striate({"teach", "x", "--memory", file}).exit_code, 2);
+}
+
+TEST(MemoryCommand, TablesFitTheTerminal) {
+  const TemporaryFolder folder;
+  const std::string file = folder / "home.db";
+  teach(file, "a thing with quite a long name that goes on", picture_of_a_thing(folder, 1));
+  for (const char* width : {"40", "80", "200"}) {
+    setenv("COLUMNS", width, 1);
+    std::stringstream lines(memory(file, {"list"}).out + memory(file, {"episodes"}).out);
+    std::string line;
+    while (std::getline(lines, line)) {
+      const auto letters = std::count_if(
+          line.begin(), line.end(), [](unsigned char letter) { return (letter & 0xC0) != 0x80; });
+      EXPECT_LE(letters, std::atoi(width)) << line;
+    }
+  }
+  unsetenv("COLUMNS");
+}
+
+TEST(MemoryCommand, ForgetRestoreAndPrune) {
+  const TemporaryFolder folder;
+  const std::string file = folder / "home.db";
+  teach(file, "book", picture_of_a_thing(folder, 1));
+  EXPECT_EQ(memory(file, {"forget", "book"}).exit_code, 0);
+  EXPECT_EQ(memory_json(file, {"list"}).size(), 0U);
+  EXPECT_EQ(memory_json(file, {"list", "--all"}).size(), 1U);
+  EXPECT_THAT(memory(file, {"why", "book"}).out, HasSubstr("it is forgotten: a person asked"));
+  EXPECT_EQ(memory(file, {"forget", "book"}).exit_code, 2);
+  EXPECT_EQ(memory(file, {"restore", "book"}).exit_code, 0);
+  EXPECT_EQ(memory_json(file, {"list"})[0].at("pinned"), true);
+  EXPECT_THAT(memory(file, {"prune"}).out, HasSubstr("nothing to prune"));
+  EXPECT_EQ(memory_json(file, {"prune", "--yes"}).at("done"), true);
+}
+
+TEST(MemoryCommand, ExportAndImportRoundTripAndMergeJoins) {
+  const TemporaryFolder folder;
+  const std::string file = folder / "home.db";
+  const std::string copy = folder / "copy.db";
+  const std::string text = folder / "home.json";
+  teach(file, "book", picture_of_a_thing(folder, 1));
+  teach(file, "grüne Tasse", picture_of_a_thing(folder, 2));
+  EXPECT_EQ(memory(file, {"export", text}).exit_code, 0);
+  EXPECT_THAT(memory(copy, {"import", text}).out, HasSubstr("2 landmarks added"));
+  EXPECT_EQ(memory_json(file, {"diff", file, copy}).size(), 0U);
+  EXPECT_THAT(memory(file, {"diff", file, copy}).out, HasSubstr("both know the same"));
+
+  const std::string other = folder / "other.db";
+  teach(other, "book", picture_of_a_thing(folder, 3));
+  teach(other, "cover", picture_of_a_thing(folder, 1));
+  const nlohmann::json merged = memory_json(copy, {"merge", other});
+  EXPECT_EQ(merged.at("joined"), 2);
+  EXPECT_EQ(memory_json(copy, {"show", "book"}).at("views"), 2);
+  EXPECT_EQ(memory_json(file, {"diff", file, copy}).size(), 1U);
+  EXPECT_EQ(memory(copy, {"merge", copy}).exit_code, 2);
+  const std::string wrong = folder.write("wrong.json", "{\"a\": 1}");
+  EXPECT_THAT(memory(copy, {"import", wrong}).err, HasSubstr("no export of a memory"));
+}
+
+TEST(MemoryCommand, DrawsTheMapOfTheGoldenMemory) {
+  const TemporaryFolder folder;
+  const std::string file = folder / "home.db";
+  execute(file, read_text(std::string(STRIATE_SOURCE_DIR) + "/tests/golden/memory_v1.sql"));
+  EXPECT_THAT(memory(file, {"map"}).out,
+              AllOf(HasSubstr("12.50 m"), HasSubstr("3.50 m"), HasSubstr("1 cells of 10 cm")));
+  EXPECT_EQ(memory_json(file, {"map"}).at("routes").size(), 1U);
+  const std::string picture = folder / "map.png";
+  EXPECT_EQ(memory(file, {"map", "--picture", picture}).exit_code, 0);
+  EXPECT_FALSE(cv::imread(picture).empty());
+  // Nobody's file is hurt by a mistake: a foreign one is refused by every verb that writes.
+  const std::string foreign = folder / "other.db";
+  execute(foreign, "CREATE TABLE t (x)");
+  EXPECT_EQ(memory(foreign, {"list"}).exit_code, 2);
+  EXPECT_THAT(striate({"teach", "x", "--image", picture, "--memory", foreign}).err,
+              HasSubstr("not a memory of Striate's"));
+}
+
+TEST(MemoryCommand, AFullDiskIsSaidAndWhatWasTaughtBeforeIsThere) {
+  const TemporaryFolder folder;
+  const std::string disk = folder / "disk";
+  std::filesystem::create_directory(disk);
+  if (mount("none", disk.c_str(), "tmpfs", 0, "size=1m") != 0) GTEST_SKIP() << "no right to mount";
+  const std::string file = disk + "/home.db";
+  int kept = 0;
+  Ended last;
+  for (int seed = 1; seed < 12; ++seed) {
+    last = striate({"teach", "thing " + std::to_string(seed), "--image",
+                    picture_of_a_thing(folder, seed), "--memory", file});
+    if (last.exit_code != 0) break;
+    ++kept;
+  }
+  EXPECT_EQ(last.exit_code, 2);
+  EXPECT_THAT(last.err, HasSubstr("home.db: error"));
+  EXPECT_EQ(memory_json(file, {"list"}).size(), static_cast<std::size_t>(kept));
+  EXPECT_EQ(memory(file, {"check"}).exit_code, 0);
+  const Ended run = striate({"run", "config/tasks/corridor.yaml", "--world",
+                             "config/worlds/empty.yaml", "--memory", file});
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_THAT(run.err, HasSubstr("there is no room left"));
+  umount(disk.c_str());
+}
+
+/// A mission that stands for a while, started and not waited for.
+pid_t start_mission(const std::string& task, const std::string& file) {
+  const pid_t child = fork();
+  if (child == 0) {
+    if (chdir(STRIATE_SOURCE_DIR) != 0) _exit(99);
+    execl(STRIATE_BINARY, "striate", "run", task.c_str(), "--world", "config/worlds/empty.yaml",
+          "--quiet", "--memory", file.c_str(), nullptr);
+    _exit(98);
+  }
+  return child;
+}
+
+TEST(MissionMemory, CanBeLookedIntoWhileItRunsAndSurvivesKillNine) {
+  const TemporaryFolder folder;
+  const std::string file = folder / "home.db";
+  const std::string task = folder.write("t.yaml", "striate: 1\ndo:\n  - wait: {for: 600 s}\n");
+  teach(file, "book", picture_of_a_thing(folder, 1));
+  const pid_t mission = start_mission(task, file);
+  nlohmann::json episodes;
+  for (int k = 0; k < 300 && episodes.size() < 2; ++k) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    episodes = memory_json(file, {"episodes"});
+  }
+  EXPECT_EQ(episodes.back().at("kind"), "start");
+  EXPECT_EQ(memory_json(file, {"list"}).size(), 1U);
+  EXPECT_EQ(memory(file, {"forget", "book"}).exit_code, 0);
+  EXPECT_THAT(striate({"teach", "x", "--image", folder / "thing_1.png", "--memory", file}).err,
+              AllOf(HasSubstr("striate run (process"), HasSubstr("is writing into this memory")));
+  kill(mission, SIGKILL);
+  waitpid(mission, nullptr, 0);
+  const Ended next =
+      striate({"teach", "cup", "--image", picture_of_a_thing(folder, 2), "--memory", file});
+  EXPECT_EQ(next.exit_code, 0);
+  EXPECT_THAT(next.err,
+              AllOf(HasSubstr("(mission) ended without closing"), HasSubstr("found no damage")));
+  EXPECT_EQ(memory_json(file, {"list", "--all"}).size(), 2U);
+}
+
+TEST(MissionMemory, KeepsStartAndEndAndTheOperatingTime) {
+  const TemporaryFolder folder;
+  const std::string file = folder / "home.db";
+  const std::string task = folder.write("t.yaml", "striate: 1\ndo:\n  - wait: {for: 2 s}\n");
+  for (int run = 0; run < 2; ++run) {
+    const Ended ended =
+        striate({"run", task, "--world", "config/worlds/empty.yaml", "--quiet", "--memory", file});
+    EXPECT_EQ(ended.exit_code, 1);
+    EXPECT_EQ(ended.err, "");
+  }
+  const nlohmann::json episodes = memory_json(file, {"episodes"});
+  ASSERT_EQ(episodes.size(), 4U);
+  EXPECT_EQ(episodes[1].at("kind"), "end");
+  EXPECT_THAT(episodes[1].at("text").get<std::string>(), HasSubstr("task_ended"));
+  EXPECT_GE(episodes[2].at("time_s"), 2.0);
+  EXPECT_EQ(episodes[2].at("time_s"), episodes[1].at("time_s"));
+}
+
+}  // namespace
+}  // namespace striate::scenarios
