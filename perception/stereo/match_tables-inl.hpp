@@ -123,12 +123,18 @@ HWY_INLINE void MatchVectors(const std::uint8_t* HWY_RESTRICT left,
 HWY_INLINE void MatchSomeVectors(int count, const std::uint8_t* left, const std::uint8_t* right,
                                  const CandidateTable& table, int ahead, VKeys* keys) {
   switch (count) {
-    case 1: return MatchVectors<1>(left, right, table, ahead, keys);
-    case 2: return MatchVectors<2>(left, right, table, ahead, keys);
-    case 3: return MatchVectors<3>(left, right, table, ahead, keys);
-    case 4: return MatchVectors<4>(left, right, table, ahead, keys);
-    case 5: return MatchVectors<5>(left, right, table, ahead, keys);
-    default: return MatchVectors<6>(left, right, table, ahead, keys);
+    case 1:
+      return MatchVectors<1>(left, right, table, ahead, keys);
+    case 2:
+      return MatchVectors<2>(left, right, table, ahead, keys);
+    case 3:
+      return MatchVectors<3>(left, right, table, ahead, keys);
+    case 4:
+      return MatchVectors<4>(left, right, table, ahead, keys);
+    case 5:
+      return MatchVectors<5>(left, right, table, ahead, keys);
+    default:
+      return MatchVectors<6>(left, right, table, ahead, keys);
   }
 }
 

@@ -19,7 +19,7 @@ alignas(64) inline constexpr auto kDifferingBits = [] {
 
 /// At kOrigin - d: 255 where disparity d is no candidate, else 0.
 struct CandidateTable {
-  static constexpr int kOrigin = 256 + 64;       ///< the last candidate is in a vector's middle
+  static constexpr int kOrigin = 256 + 64;      ///< the last candidate is in a vector's middle
   static constexpr int kLength = kOrigin + 64;  ///< likewise the first
 
   std::array<std::uint8_t, kLength> none;

@@ -117,17 +117,22 @@ HWY_INLINE void Finish(V32 even_sum, V32 odd_sum, int x, const Responses& to) {
   if (to.odd != nullptr) hn::StoreU(hn::DemoteTo(d16, odd), d16, to.odd + x);
 }
 
-// What is summed up at a time, rows x vectors, even and odd, fits into 32 or 16 registers.
-#if HWY_TARGET <= HWY_AVX3
-constexpr int kVectors = 4;
-constexpr int kRowsInRegisters = 2;
+#undef FEW_REGISTERS
+#if HWY_TARGET == HWY_AVX2 || HWY_TARGET == HWY_SSE4 || HWY_TARGET == HWY_SSSE3
+#define FEW_REGISTERS 1
 #else
-constexpr int kVectors = 4;
-constexpr int kRowsInRegisters = 1;
+#define FEW_REGISTERS 0
 #endif
 
+// What is summed up at a time, rows x vectors, even and odd, fits into 32 or 16 registers.
+constexpr int kVectors = 4;
+constexpr int kRowsInRegisters = HWY_TARGET <= HWY_AVX3 ? 2 : 1;
+/// With few registers GCC 12 moves every sum at the end of a loop's body: half as often so.
+constexpr std::size_t kTapsAtOnce = FEW_REGISTERS ? 2 : 1;
+
+// With 16 registers a slot's sums fit by themselves only.
 #undef SUM_SLOT_INLINE
-#if HWY_TARGET == HWY_AVX2
+#if FEW_REGISTERS
 #define SUM_SLOT_INLINE HWY_NOINLINE
 #else
 #define SUM_SLOT_INLINE HWY_INLINE
@@ -141,7 +146,7 @@ struct Sums {
 
 /// Nothing, but v is in a register here: left alone GCC 12 reorders until they do not suffice.
 HWY_INLINE void HoldInRegister(V32& v) {
-#if HWY_TARGET == HWY_AVX2
+#if FEW_REGISTERS
   asm volatile("" : "+x"(v.raw));
 #else
   (void)v;
@@ -192,12 +197,13 @@ SUM_SLOT_INLINE void SumSlot(const ColumnJob& job, std::size_t slot, std::size_t
     }
     auto from = [&](std::size_t k) { return input.rows + offsets[k] + x; };
     std::size_t k = 0;
-    // Two at a time: else GCC 12 moves every sum once more.
-    for (; k + 1 < taps; k += 2) {
-      AddTaps(from(k), even_taps, odd_taps, k, s);
-      AddTaps(from(k + 1), even_taps, odd_taps, k + 1, s);
+    if constexpr (kTapsAtOnce == 2) {
+      for (; k + 1 < taps; k += 2) {
+        AddTaps(from(k), even_taps, odd_taps, k, s);
+        AddTaps(from(k + 1), even_taps, odd_taps, k + 1, s);
+      }
     }
-    if (k < taps) AddTaps(from(k), even_taps, odd_taps, k, s);
+    for (; k < taps; ++k) AddTaps(from(k), even_taps, odd_taps, k, s);
   }
   sums = s;
 }
@@ -256,9 +262,7 @@ HWY_INLINE void FilterBlocks(const ColumnJob& job, std::size_t first, int width)
   for (; x + (kVectors - 1) * step < width; x += kVectors * step) {
     FilterBlock<kRows, kVectors>(job, first, x);
   }
-  if constexpr (kVectors > 2) {
-    for (; x + step < width; x += 2 * step) FilterBlock<kRows, 2>(job, first, x);
-  }
+  for (; x + step < width; x += 2 * step) FilterBlock<kRows, 2>(job, first, x);
   for (; x < width; x += step) FilterBlock<kRows, 1>(job, first, x);
 }
 

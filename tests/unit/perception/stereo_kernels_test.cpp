@@ -72,7 +72,7 @@ void expect_best_matches(const DescriptorRows& rows, int candidates, const std::
 
 TEST(BestMatches, HaveTheFewestBitsThatDifferOnEveryInstructionSet) {
   reference::on_every_target([&](const std::string& name) {
-    for (const int width : {1, 7, 33, 64, 65, 97, 160, 230}) {
+    for (const int width : {1, 7, 33, 64, 65, 97, 160, 230, 401}) {
       for (const int candidates : {1, 5, 24, 64, 150, 256}) {
         expect_best_matches(random_rows(width, false), candidates, name);
       }
