@@ -10,6 +10,8 @@
 // After foreach_target.h, which defines the target.
 #include <hwy/highway.h>
 
+#include "perception/stereo/match_tables-inl.hpp"
+
 HWY_BEFORE_NAMESPACE();
 namespace striate::stereo_kernels::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
@@ -101,7 +103,7 @@ HWY_INLINE void MatchBlocks(D d8, const MatchRow& row, int begin, int end) {
   }
 }
 
-void BestMatches(const MatchRow& row) {
+void BestMatchesByCounting(const MatchRow& row) {
   const hn::ScalableTag<std::uint8_t> d8;
   const int step = static_cast<int>(hn::Lanes(d8));
   std::fill(row.smallest, row.smallest + row.width, std::uint8_t{255});
@@ -116,6 +118,14 @@ void BestMatches(const MatchRow& row) {
   }
 #endif
   MatchBlocks(d8, row, whole, whole + step);
+}
+
+void BestMatches(const MatchRow& row) {
+#if STRIATE_MATCH_BY_TABLES
+  BestMatchesByTables(row);
+#else
+  BestMatchesByCounting(row);
+#endif
 }
 
 }  // namespace striate::stereo_kernels::HWY_NAMESPACE

@@ -9,6 +9,9 @@ namespace striate::stereo_kernels {
 
 inline constexpr int kReachBack = 72;  ///< bytes before column 0 that are read (and not used)
 
+/// Rows of work space: both rows' bytes as two nibbles each, see match_tables-inl.hpp.
+inline constexpr int kNibbleRows = 4 * kDescriptorPoints + 2;
+
 struct MatchRow {
   DescriptorRow left;
   DescriptorRow right;                    ///< readable from -kReachBack on
@@ -17,6 +20,7 @@ struct MatchRow {
   int candidates = 0;                ///< disparities 0 .. candidates - 1, at most 256
   std::uint8_t* smallest = nullptr;  ///< room for the width rounded up to 64
   std::uint8_t* best = nullptr;      ///< likewise
+  std::uint8_t* nibbles = nullptr;   ///< work space, kNibbleRows times as much
 };
 
 /// best[x] = the disparity d < candidates, d <= x, for which left pixel x and right pixel x - d

@@ -78,6 +78,7 @@ class StereoMatcher::Work {
     left_row_.resize(size.width, kDescriptorPoints, 0, 0);
     right_row_.resize(size.width, kDescriptorPoints, stereo_kernels::kReachBack, 0);
     smallest_.resize(size.width, 1, 0, 0);
+    nibbles_.resize(size.width, stereo_kernels::kNibbleRows, 0, 0);
     winners_.resize(size.width, size.height, 2, 0);
     const DescriptorRow left{left_row_.row(0), left_row_.stride()};
     const DescriptorRow right{right_row_.row(0), right_row_.stride()};
@@ -85,7 +86,7 @@ class StereoMatcher::Work {
       describe_row(left_, points_, y, left);
       describe_row(right_, points_, y, right);
       stereo_kernels::best_matches({left, right, outside_.row(0), size.width, candidates_,
-                                    smallest_.row(0), winners_.row(y)});
+                                    smallest_.row(0), winners_.row(y), nibbles_.row(0)});
     }
     stereo_kernels::median_5x5(winners_, median_);
     const cv::Mat1b median(size.height, size.width, median_.row(0),
@@ -127,7 +128,7 @@ class StereoMatcher::Work {
   PhaseCosts phase_costs_;
   int candidates_ = 0;
   int rounded_ = 0;
-  Plane<std::uint8_t> left_row_, right_row_, outside_, smallest_, winners_, median_;
+  Plane<std::uint8_t> left_row_, right_row_, outside_, smallest_, nibbles_, winners_, median_;
   Volume<std::uint8_t> costs_;
 };
 

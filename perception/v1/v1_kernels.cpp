@@ -117,13 +117,25 @@ HWY_INLINE void Finish(V32 even_sum, V32 odd_sum, int x, const Responses& to) {
   if (to.odd != nullptr) hn::StoreU(hn::DemoteTo(d16, odd), d16, to.odd + x);
 }
 
-// What is summed up at a time, rows x vectors, even and odd, fits into 32 or 16 registers.
-#if HWY_TARGET <= HWY_AVX3
-constexpr int kVectors = 4;
-constexpr int kRowsInRegisters = 2;
+#undef FEW_REGISTERS
+#if HWY_TARGET == HWY_AVX2 || HWY_TARGET == HWY_SSE4 || HWY_TARGET == HWY_SSSE3
+#define FEW_REGISTERS 1
 #else
-constexpr int kVectors = 2;
-constexpr int kRowsInRegisters = 1;
+#define FEW_REGISTERS 0
+#endif
+
+// What is summed up at a time, rows x vectors, even and odd, fits into 32 or 16 registers.
+constexpr int kVectors = 4;
+constexpr int kRowsInRegisters = HWY_TARGET <= HWY_AVX3 ? 2 : 1;
+/// With few registers GCC 12 moves every sum at the end of a loop's body: half as often so.
+constexpr std::size_t kTapsAtOnce = FEW_REGISTERS ? 2 : 1;
+
+// With 16 registers a slot's sums fit by themselves only.
+#undef SUM_SLOT_INLINE
+#if FEW_REGISTERS
+#define SUM_SLOT_INLINE HWY_NOINLINE
+#else
+#define SUM_SLOT_INLINE HWY_INLINE
 #endif
 
 template <int kRows, int kCount>
@@ -132,12 +144,47 @@ struct Sums {
   V32 odd[kRows][kCount];
 };
 
-/// Adds what the products of one slot give from x on.
+/// Nothing, but v is in a register here: left alone GCC 12 reorders until they do not suffice.
+HWY_INLINE void HoldInRegister(V32& v) {
+#if FEW_REGISTERS
+  asm volatile("" : "+x"(v.raw));
+#else
+  (void)v;
+#endif
+}
+
+/// Adds what one pair of taps gives.
 template <int kRows, int kCount>
-HWY_INLINE void SumSlot(const ColumnJob& job, std::size_t slot, std::size_t first, int x,
-                        Sums<kRows, kCount>& sums) {
+HWY_INLINE void AddTaps(const std::int32_t* HWY_RESTRICT from,
+                        const std::int32_t* const (&even_taps)[kRows],
+                        const std::int32_t* const (&odd_taps)[kRows], std::size_t k,
+                        Sums<kRows, kCount>& s) {
   const D32 d;
   const int step = static_cast<int>(hn::Lanes(d));
+  V32 even_tap[kRows], odd_tap[kRows];
+#pragma GCC unroll 2
+  for (int r = 0; r < kRows; ++r) {
+    even_tap[r] = hn::Set(d, even_taps[r][k]);
+    odd_tap[r] = hn::Set(d, odd_taps[r][k]);
+  }
+#pragma GCC unroll 5
+  for (int v = 0; v < kCount; ++v) {
+    V32 value = hn::LoadU(d, from + v * step);
+    HoldInRegister(value);
+#pragma GCC unroll 2
+    for (int r = 0; r < kRows; ++r) {
+      s.even[r][v] = MultiplyAddPairs(s.even[r][v], value, even_tap[r]);
+      HoldInRegister(s.even[r][v]);
+      s.odd[r][v] = MultiplyAddPairs(s.odd[r][v], value, odd_tap[r]);
+      HoldInRegister(s.odd[r][v]);
+    }
+  }
+}
+
+/// Adds what the products of one slot give from x on.
+template <int kRows, int kCount>
+SUM_SLOT_INLINE void SumSlot(const ColumnJob& job, std::size_t slot, std::size_t first, int x,
+                             Sums<kRows, kCount>& sums) {
   const std::size_t taps = job.offsets.size();
   const std::ptrdiff_t* HWY_RESTRICT offsets = job.offsets.data();
   Sums<kRows, kCount> s = sums;
@@ -148,24 +195,15 @@ HWY_INLINE void SumSlot(const ColumnJob& job, std::size_t slot, std::size_t firs
       even_taps[r] = input.even_taps[first + static_cast<std::size_t>(r)];
       odd_taps[r] = input.odd_taps[first + static_cast<std::size_t>(r)];
     }
-    for (std::size_t k = 0; k < taps; ++k) {
-      const std::int32_t* HWY_RESTRICT from = input.rows + offsets[k] + x;
-      V32 even_tap[kRows], odd_tap[kRows];
-#pragma GCC unroll 2
-      for (int r = 0; r < kRows; ++r) {
-        even_tap[r] = hn::Set(d, even_taps[r][k]);
-        odd_tap[r] = hn::Set(d, odd_taps[r][k]);
-      }
-#pragma GCC unroll 5
-      for (int v = 0; v < kCount; ++v) {
-        const V32 value = hn::LoadU(d, from + v * step);
-#pragma GCC unroll 2
-        for (int r = 0; r < kRows; ++r) {
-          s.even[r][v] = MultiplyAddPairs(s.even[r][v], value, even_tap[r]);
-          s.odd[r][v] = MultiplyAddPairs(s.odd[r][v], value, odd_tap[r]);
-        }
+    auto from = [&](std::size_t k) { return input.rows + offsets[k] + x; };
+    std::size_t k = 0;
+    if constexpr (kTapsAtOnce == 2) {
+      for (; k + 1 < taps; k += 2) {
+        AddTaps(from(k), even_taps, odd_taps, k, s);
+        AddTaps(from(k + 1), even_taps, odd_taps, k + 1, s);
       }
     }
+    for (; k < taps; ++k) AddTaps(from(k), even_taps, odd_taps, k, s);
   }
   sums = s;
 }
@@ -224,9 +262,7 @@ HWY_INLINE void FilterBlocks(const ColumnJob& job, std::size_t first, int width)
   for (; x + (kVectors - 1) * step < width; x += kVectors * step) {
     FilterBlock<kRows, kVectors>(job, first, x);
   }
-  if constexpr (kVectors > 2) {
-    for (; x + step < width; x += 2 * step) FilterBlock<kRows, 2>(job, first, x);
-  }
+  for (; x + step < width; x += 2 * step) FilterBlock<kRows, 2>(job, first, x);
   for (; x < width; x += step) FilterBlock<kRows, 1>(job, first, x);
 }
 

@@ -44,15 +44,17 @@ DescriptorRows random_rows(int width, bool agreeing) {
 void expect_best_matches(const DescriptorRows& rows, int candidates, const std::string& what) {
   const int width = rows.left.width();
   const Plane<std::uint8_t> outside = outside_plane(width, stereo_kernels::kReachBack);
-  Plane<std::uint8_t> found;
+  Plane<std::uint8_t> found, nibbles;
   found.resize(width, 2, 0, 0);
+  nibbles.resize(width, stereo_kernels::kNibbleRows, 0, 0);
   stereo_kernels::best_matches({{const_cast<std::uint8_t*>(rows.left.row(0)), rows.left.stride()},
                                 {const_cast<std::uint8_t*>(rows.right.row(0)), rows.right.stride()},
                                 outside.row(0),
                                 width,
                                 candidates,
                                 found.row(0),
-                                found.row(1)});
+                                found.row(1),
+                                nibbles.row(0)});
   for (int x = 0; x < width; ++x) {
     int smallest = 255, best = 0;
     for (int d = 0; d < std::min(candidates, x + 1); ++d) {
@@ -70,7 +72,7 @@ void expect_best_matches(const DescriptorRows& rows, int candidates, const std::
 
 TEST(BestMatches, HaveTheFewestBitsThatDifferOnEveryInstructionSet) {
   reference::on_every_target([&](const std::string& name) {
-    for (const int width : {1, 7, 33, 64, 65, 97, 160, 230}) {
+    for (const int width : {1, 7, 33, 64, 65, 97, 160, 230, 401}) {
       for (const int candidates : {1, 5, 24, 64, 150, 256}) {
         expect_best_matches(random_rows(width, false), candidates, name);
       }
