@@ -220,7 +220,7 @@ int run(int count, char** arguments) {
   std::vector<std::string> worlds(arguments + 1, arguments + count);
   if (worlds.empty()) {
     for (const char* name : {"corridor_a", "corridor_b", "corridor_c"}) {
-      worlds.push_back(std::string(STRIATE_SOURCE_DIR) + "/config/worlds/" + name + ".yaml");
+      worlds.push_back(std::string(STRIATE_SOURCE_DIR "/config/worlds/") + name + ".yaml");
     }
   }
   for (const std::string& world : worlds) print(fs::path(world).stem().string(), along(world));

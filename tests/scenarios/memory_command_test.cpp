@@ -163,7 +163,7 @@ TEST(MemoryCommand, ExportAndImportRoundTripAndMergeJoins) {
 TEST(MemoryCommand, DrawsTheMapOfTheGoldenMemory) {
   const TemporaryFolder folder;
   const std::string file = folder / "home.db";
-  execute(file, read_text(std::string(STRIATE_SOURCE_DIR) + "/tests/golden/memory_v1.sql"));
+  execute(file, read_text(std::string(STRIATE_SOURCE_DIR "/tests/golden/memory_v1.sql")));
   EXPECT_THAT(memory(file, {"map"}).out,
               AllOf(HasSubstr("12.50 m"), HasSubstr("3.50 m"), HasSubstr("1 cells of 10 cm")));
   EXPECT_EQ(memory_json(file, {"map"}).at("routes").size(), 1U);

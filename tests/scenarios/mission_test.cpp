@@ -10,7 +10,7 @@
 namespace striate::scenarios {
 namespace {
 
-const std::string kRoot = std::string(STRIATE_SOURCE_DIR) + "/";
+const std::string kRoot = std::string(STRIATE_SOURCE_DIR "/");
 
 MissionOptions short_mission() {
   MissionOptions options;

@@ -13,7 +13,7 @@ namespace {
 
 using testing::HasSubstr;
 
-const std::string kRoot = std::string(STRIATE_SOURCE_DIR) + "/";
+const std::string kRoot = std::string(STRIATE_SOURCE_DIR "/");
 
 MissionOptions mission_of(const std::string& task) {
   MissionOptions options;

@@ -13,7 +13,7 @@ namespace striate {
 namespace {
 
 std::string content(const std::string& file) {
-  std::ifstream stream(std::string(STRIATE_SOURCE_DIR) + "/" + file);
+  std::ifstream stream(std::string(STRIATE_SOURCE_DIR "/") + file);
   std::stringstream text;
   text << stream.rdbuf();
   return text.str();

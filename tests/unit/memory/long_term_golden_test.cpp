@@ -14,7 +14,7 @@ using testing::ElementsAre;
 using testing::IsEmpty;
 
 std::string golden_as_database(const Folder& folder, const std::string& name) {
-  std::ifstream stream(std::string(STRIATE_SOURCE_DIR) + "/tests/golden/" + name + ".sql");
+  std::ifstream stream(std::string(STRIATE_SOURCE_DIR "/tests/golden/") + name + ".sql");
   std::stringstream sql;
   sql << stream.rdbuf();
   const std::string file = folder / (name + ".db");

@@ -64,7 +64,7 @@ TEST(Saliency, AgreesWithTheDirectSumOfThePaper) {
 }
 
 TEST(Saliency, AgreesWithTheDirectSumOnARealPicture) {
-  const std::string file = std::string(STRIATE_SHARED_DATA) + "/stereo/motorcycle/left.png";
+  const std::string file = STRIATE_SHARED_DATA "/stereo/motorcycle/left.png";
   cv::Mat3b picture = cv::imread(file);
   if (picture.empty()) GTEST_SKIP() << "public test data is missing: " << file;
   cv::resize(picture, picture, {160, 120}, 0, 0, cv::INTER_AREA);

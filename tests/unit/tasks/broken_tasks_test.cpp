@@ -17,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 
 std::string folder() {
-  return std::string(STRIATE_SOURCE_DIR) + "/tests/broken_tasks/";
+  return std::string(STRIATE_SOURCE_DIR "/tests/broken_tasks/");
 }
 
 std::string content(const fs::path& path) {

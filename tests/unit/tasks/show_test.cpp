@@ -10,7 +10,7 @@ namespace {
 using testing::HasSubstr;
 
 Outline outline_of(const std::string& yaml) {
-  config::Mistakes mistakes(std::string(STRIATE_SOURCE_DIR) + "/tests/broken_tasks/t.yaml", 'T');
+  config::Mistakes mistakes(std::string(STRIATE_SOURCE_DIR "/tests/broken_tasks/t.yaml"), 'T');
   Task task = read_task(yaml, mistakes, RobotDescription{});
   EXPECT_TRUE(mistakes.none()) << mistakes.text();
   return std::move(task.outline);

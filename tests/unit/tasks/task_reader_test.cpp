@@ -111,7 +111,7 @@ TEST(TaskReader, SaysWhatIsMissing) {
 
 TEST(TaskReader, EveryShippedScriptIsGood) {
   int count = 0;
-  const std::filesystem::path folder = std::string(STRIATE_SOURCE_DIR) + "/config/tasks";
+  const std::filesystem::path folder = std::string(STRIATE_SOURCE_DIR "/config/tasks");
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     if (entry.path().extension() != ".yaml") continue;
     EXPECT_NO_THROW(load_task(entry.path().string(), RobotDescription{})) << entry.path();
