@@ -1,5 +1,6 @@
 #include "app/picture_header.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cctype>
 #include <cstddef>
@@ -158,8 +159,9 @@ PictureHeader tiff(const Bytes& bytes) {
     const std::size_t at = directory + 2 + 12 * entry;
     if (at + 12 > bytes.size()) break;
     const std::int64_t value = two(at + 2) == kShort ? two(at + 8) : four(at + 8);
-    if (two(at) == kWidth) header.width_px = value;
-    if (two(at) == kHeight) header.height_px = value;
+    // The larger one where a tag stands twice: decoders differ in which they take.
+    if (two(at) == kWidth) header.width_px = std::max(header.width_px, value);
+    if (two(at) == kHeight) header.height_px = std::max(header.height_px, value);
   }
   header.whole = header.width_px > 0 && header.height_px > 0;
   return header;

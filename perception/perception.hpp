@@ -33,7 +33,7 @@ struct PerceptionSettings {
   ObstacleSettings obstacles;
   MotionSettings motion;
   CorridorSettings corridor;
-  /// The paper's in the cycle: 0.5 ms a picture, where robust takes 2.5.
+  /// The paper's in the cycle: a third of the robust one's time; the runs were driven with it.
   SaliencySettings saliency{.setting = SaliencySetting::paper};
   KeypointSettings keypoints;
   int keypoints_every = 5;  ///< pictures; in between the percept has no keypoints; 0: never

@@ -23,6 +23,7 @@ struct DriveOptions {
 };
 
 constexpr double kStands_m_s = 0.005;
+constexpr double kStands_rad_s = 0.01;
 constexpr double kLongestDrive_s = 600.0;
 
 void print_state(const Senses& senses, const pioneer::DriverReport& report) {
@@ -75,7 +76,8 @@ int drive(const DriveOptions& options) {
   do {
     robot.send({});
     robot.sense(senses);
-  } while (std::abs(senses.odometry.forward_m_s) > kStands_m_s);
+  } while (std::abs(senses.odometry.forward_m_s) > kStands_m_s ||
+           std::abs(senses.odometry.turn_rad_s) > kStands_rad_s);
   robot.driver().ask_true_pose();
   robot.sense(senses);
   robot.sense(senses);

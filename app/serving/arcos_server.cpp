@@ -105,8 +105,15 @@ void ArcosServer::Parts::open_terminal() {
 
 void ArcosServer::Parts::accept() {
   acceptor.async_accept([this](const error_code& error, Tcp::socket socket) {
-    if (error) return;
-    if (has_client) {
+    const bool gone = error == boost::asio::error::connection_aborted;
+    if (error && !gone) {
+      if (error != boost::asio::error::operation_aborted)
+        log("no more clients are taken: " + error.message());
+      return;
+    }
+    if (gone) {
+      log("a client went before it was taken");
+    } else if (has_client) {
       log("a second client was turned away");
     } else {
       greet(std::move(socket));

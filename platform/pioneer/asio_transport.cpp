@@ -33,7 +33,7 @@ class StreamLine : public Transport {
     begin_open();
   }
   void close() override {
-    if (open_ && !outbox_.empty()) {
+    if (open_ && writing_) {
       io_.restart();
       io_.run_for(kFlush);
     }

@@ -107,7 +107,10 @@ void DriverThread::run() {
     }
     say_goodbye();
   } catch (const std::exception& error) {
-    // The robot's own watchdog stops it; the caller learns why.
+    try {
+      say_goodbye();
+    } catch (...) {  // a line that is gone: the robot's own watchdog stops it
+    }
     const std::lock_guard lock(mutex_);
     report_.state = SessionState::closed;
     report_.hold = HoldReason::link_lost;

@@ -57,7 +57,8 @@ bool PioneerRobot::sense(Senses& senses) {
   std::this_thread::sleep_for(next_cycle_ - clock_.now());
   const DriverReport report = driver_.report();
   fill_senses(report.base, clock_.now(), senses);
-  if (report.hold == HoldReason::link_lost) {
+  // Not by the reason alone: a higher one may hide that the link is gone.
+  if (report.state != SessionState::ready || report.hold == HoldReason::link_lost) {
     throw std::runtime_error("the robot is lost: " + report.trouble);
   }
   return true;

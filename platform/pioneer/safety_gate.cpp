@@ -19,7 +19,8 @@ constexpr Duration kSonarFresh = std::chrono::milliseconds(700);
 constexpr std::array<std::size_t, 4> kFrontDiscs{2, 3, 4, 5};
 constexpr std::array<std::size_t, 4> kRearDiscs{10, 11, 12, 13};
 constexpr double kCreepsMm_s = 10.0;  ///< slower is standing
-constexpr double kDecelerationMm_s2 = 300.0;
+/// Of the brake that the gate counts on; less where the robot was told less.
+constexpr double kMostBrakeMm_s2 = 300.0;
 
 }  // namespace
 
@@ -61,12 +62,16 @@ void SafetyGate::reset(TimePoint now) {
 }
 
 void SafetyGate::watch_joystick(TimePoint now) {
-  if (session_.base().joystick_pressed) latch(HoldReason::joystick, now);
+  if (!session_.base().joystick_pressed) return;
+  const bool first = latch_ < HoldReason::joystick;
+  latch(HoldReason::joystick, now);
+  // A robot that does not let the hand drive would keep its speed.
+  if (first) send_stop(now);
 }
 
 void SafetyGate::watch_motors(TimePoint now) {
   const BaseState& base = session_.base();
-  if (base.stop_pressed) emergency_stop(now);
+  if (base.stop_pressed && latch_ != HoldReason::emergency) emergency_stop(now);
   const bool standing = std::abs(base.odometry.forward_m_s) < kCreepsMm_s / 1000.0;
   const bool ask_again = !motors_asked_ || now - motors_asked_at_ >= kAskMotorsAgain;
   if (motors_wanted_) {
@@ -100,7 +105,8 @@ void SafetyGate::watch(TimePoint now) {
   }
   was_ready_ = ready;
   if (!ready) return;
-  const bool silent = now - session_.last_packet() > from_seconds(settings_.silence_s);
+  // By what the robot says of itself: a laser in the same line tells nothing of bumpers.
+  const bool silent = now - session_.last_state() > from_seconds(settings_.silence_s);
   if (silent || silent_ || missed) gap(now);
   if ((silent && !silent_) || (silent_ && !silent) || missed) send_stop(now);
   silent_ = silent;
@@ -120,8 +126,9 @@ double SafetyGate::free_way_mm_s(bool forward, TimePoint now) const {
   // The fastest speed from which it stands in time: way = v latency + v^2 / 2a.
   const double way_mm = 1000.0 * std::max(0.0, nearest_m - settings_.sonar_stop_m);
   if (!std::isfinite(way_mm)) return way_mm;
-  const double slow = kDecelerationMm_s2 * settings_.latency_s;
-  return std::sqrt(slow * slow + 2.0 * kDecelerationMm_s2 * way_mm) - slow;
+  const double brake = std::min(kMostBrakeMm_s2, session_.deceleration_mm_s2());
+  const double slow = brake * settings_.latency_s;
+  return std::sqrt(slow * slow + 2.0 * brake * way_mm) - slow;
 }
 
 void SafetyGate::limit_by_sonar(Motion& motion, TimePoint now) {
@@ -208,10 +215,10 @@ void SafetyGate::tick(TimePoint now) {
   if (session_.state() != SessionState::ready) return;
   if (session_.base().joystick_pressed && !silent_ && latch_ == HoldReason::joystick) {
     // The hand drives: only a sign of life, no speeds.
-    if (!sent_ || now - sent_at_ >= from_seconds(settings_.send_every_s)) {
+    if (now - sent_at_ >= from_seconds(settings_.send_every_s)) {
       session_.send(arcos::command(Command::pulse));
       sent_forward_mm_s_ = sent_turn_deg_s_ = 0;
-      sent_ = true;
+      sent_ = false;  // when it lets go, the stop is sent at once
       sent_at_ = now;
     }
     return;

@@ -193,13 +193,19 @@ double Session::most_turn_deg_s() const {
   return config_ ? least_told(most, config_->rotation_top_deg_s) : most;
 }
 
+double Session::deceleration_mm_s2() const {
+  const double wanted = 1000.0 * settings_.acceleration_m_s2;
+  return config_ ? least_told(wanted, config_->acceleration_top_mm_s2) : wanted;
+}
+
+TimePoint Session::last_state() const {
+  return std::max(state_since_, base().stamp);
+}
+
 void Session::tell_limits() {
-  double acceleration = 1000.0 * settings_.acceleration_m_s2;
+  const double acceleration = deceleration_mm_s2();
   double turn = degrees(settings_.turn_acceleration_rad_s2);
-  if (config_) {
-    acceleration = least_told(acceleration, config_->acceleration_top_mm_s2);
-    turn = least_told(turn, config_->rotation_acceleration_top_deg_s2);
-  }
+  if (config_) turn = least_told(turn, config_->rotation_acceleration_top_deg_s2);
   send(command(Command::set_velocity, rounded(most_forward_mm_s())));
   send(command(Command::set_acceleration, rounded(acceleration)));
   send(command(Command::set_acceleration, -rounded(acceleration)));

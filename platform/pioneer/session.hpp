@@ -67,6 +67,10 @@ class Session {
   /// What may be sent at most: settings, the robot's own limits, its kind's.
   [[nodiscard]] double most_forward_mm_s() const;
   [[nodiscard]] double most_turn_deg_s() const;
+  /// With which the robot was told to slow down.
+  [[nodiscard]] double deceleration_mm_s2() const;
+  /// When the robot last told its own state; the start of the connection before it did.
+  [[nodiscard]] TimePoint last_state() const;
   /// Asks a simulated robot for its true pose.
   void ask_true_pose();
 

@@ -113,7 +113,7 @@ bool SimLaserSweep::take(const SimLaser& part) {
   }
   std::copy(part.ranges_mm.begin(), part.ranges_mm.end(), ranges_mm_.begin() + part.first);
   next_ = end;
-  return end == ranges_mm_.size() && end > 0;
+  return end == ranges_mm_.size() && !part.ranges_mm.empty();
 }
 
 std::vector<Packet> write_sim_laser(const std::vector<std::uint16_t>& ranges_mm) {

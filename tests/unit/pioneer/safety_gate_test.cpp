@@ -213,6 +213,44 @@ TEST(SafetyGate, TheJoystickTakesOverAndItsReleaseStopsTheRobot) {
   EXPECT_FALSE(stands(bed));
 }
 
+TEST(SafetyGate, AJoystickThatMayNotDriveStopsTheRobotAllTheSame) {
+  BaseDriverSettings settings;
+  settings.session.joystick_may_drive = false;
+  TestBed bed(settings);
+  bed.drive();
+  bed.senses.joystick = {.button1 = true, .x = 512, .y = 256};
+  EXPECT_LE(until_commanded(bed), 0.2);
+  expect_still(bed, 3.0);
+}
+
+TEST(SafetyGate, CountsOnNoMoreBrakeThanTheRobotWasTold) {
+  const auto reason_half_a_metre_before = [](double acceleration_m_s2) {
+    BaseDriverSettings settings;
+    settings.session.acceleration_m_s2 = acceleration_m_s2;
+    TestBed bed(settings);
+    bed.drive();
+    bed.front_m = 0.5;
+    bed.run(0.5);
+    return bed.driver.gate().reason();
+  };
+  EXPECT_EQ(reason_half_a_metre_before(0.3), HoldReason::none);
+  EXPECT_EQ(reason_half_a_metre_before(0.05), HoldReason::slowed);
+}
+
+TEST(SafetyGate, SpeaksOfTheStopButtonOnceNotInEveryTick) {
+  TestBed bed;
+  bed.drive();
+  std::size_t said = 0;
+  bed.spoil = [&](Bytes& bytes) { said += bytes.size(); };
+  bed.run(1.0);
+  const std::size_t said_while_it_drove = said;
+  bed.senses.stop_pressed = true;
+  bed.run(0.3);
+  said = 0;
+  bed.run(1.0);
+  EXPECT_LT(said, said_while_it_drove + 500U);
+}
+
 TEST(SafetyGate, AStormOfBadChecksumsIsSilence) {
   TestBed bed;
   bed.drive();
