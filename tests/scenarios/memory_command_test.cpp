@@ -182,8 +182,10 @@ TEST(MemoryCommand, ExportWritesOverNoMemory) {
   EXPECT_EQ(memory_json(file, {"list"}).size(), 1U);
   // A name that nobody could type is not taken in.
   std::string json = read_text(text);
-  json.replace(json.find("\"book\""), 6, "\"bo\\nk\"");
-  EXPECT_EQ(memory(file, {"import", folder.write("bad.json", json)}).exit_code, 2);
+  const std::string name = "\"name\": \"book\"";
+  json.replace(json.find(name), name.size(), "\"name\": \"bo\\nk\"");
+  EXPECT_THAT(memory(file, {"import", folder.write("bad.json", json)}).err,
+              HasSubstr("is no name for a landmark"));
 }
 
 TEST(MemoryCommand, DrawsTheMapOfTheGoldenMemory) {
