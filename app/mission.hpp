@@ -4,7 +4,9 @@
 #include <deque>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "app/cognitive_cycle.hpp"
 #include "app/run_result.hpp"
@@ -20,6 +22,8 @@ struct MissionOptions {
   std::string robot;  ///< settings file; empty: the built-in defaults
   std::uint64_t seed = 1;
   bool emergency_layer = true;
+  /// Names that the memory knows, for `needs: {landmarks: ...}`; none: there is no memory.
+  std::optional<std::vector<std::string>> landmarks;
 };
 
 /// One run of a task in a simulated world: the body, the mind, and the judge that watches.

@@ -35,16 +35,18 @@ void MissionMemory::take(const Mission& mission) {
   if (writer_ == nullptr) return;
   const auto& collisions = mission.body().judge().collisions();
   for (; collisions_ < collisions.size(); ++collisions_) {
-    note(mission, "collision", "touched " + collisions[collisions_].hit);
+    const std::string& hit = collisions[collisions_].hit;
+    note(mission, "collision", hit, "touched " + hit);
   }
   const auto& near_misses = mission.body().judge().near_misses();
   for (; near_misses_ < near_misses.size(); ++near_misses_) {
     const simulator::NearMiss& near = near_misses[near_misses_];
-    note(mission, "near miss", fmt::format("{:.2f} m from {}", near.clearance_m, near.to));
+    note(mission, "near miss", near.to, fmt::format("{:.2f} m from {}", near.clearance_m, near.to));
   }
   if (const int stops = mission.cycle().limiter().emergency_stops(); stops > emergency_stops_) {
     emergency_stops_ = stops;
-    note(mission, "emergency stop", name_of(mission.cycle().limiter().reason()));
+    const std::string reason = name_of(mission.cycle().limiter().reason());
+    note(mission, "emergency stop", reason, reason);
   }
   const double now_s = to_seconds(mission.cycle().trace().senses.now);
   if (now_s - noted_s_ < kNoteTimeEvery_s) return;
@@ -84,10 +86,11 @@ Episode MissionMemory::episode_now(const Mission& mission, const std::string& ki
   return episode;
 }
 
-void MissionMemory::note(const Mission& mission, const std::string& kind, const std::string& text) {
+void MissionMemory::note(const Mission& mission, const std::string& kind, const std::string& about,
+                         const std::string& text) {
   const Episode episode = episode_now(mission, kind, text);
   const Point2 where{episode.x_m.value_or(0.0), episode.y_m.value_or(0.0)};
-  if (!gate_.is_news(kind + text, episode.time_s, where)) return;
+  if (!gate_.is_news(kind + " " + about, episode.time_s, where)) return;
   writer_->post([episode](MemoryTables& tables) { tables.sessions.add(episode); });
 }
 

@@ -22,7 +22,9 @@ class MissionMemory {
   void finish(const Mission& mission, const RunResult& result);
 
  private:
-  void note(const Mission& mission, const std::string& kind, const std::string& text);
+  /// Keeps an episode if it is news. @param about what it is about: the same again is none.
+  void note(const Mission& mission, const std::string& kind, const std::string& about,
+            const std::string& text);
   [[nodiscard]] Episode episode_now(const Mission& mission, const std::string& kind,
                                     const std::string& text) const;
 

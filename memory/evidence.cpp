@@ -133,7 +133,7 @@ void EvidenceWriter::gather_free(const Column& column, const Look& look) {
   }
 }
 
-// The error of a range grows with its square (spec, section 4: Z = f b / d), so the evidence is
+// The error of a range grows with its square (Z = f b / d), so the evidence is
 // spread along the ray as far as the thing may really stand, and thinned by that spread.
 void EvidenceWriter::gather_occupied(const Column& column, double support, double height_m,
                                      const Look& look) {

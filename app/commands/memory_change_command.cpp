@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <sqlite3.h>
 
 #include "app/commands/memory_command.hpp"
 #include "app/memory/memory_json.hpp"
@@ -49,22 +50,23 @@ void give_room_back(const std::string& path) {
   MemoryFile file(path, memory_options(Access::edit, "striate memory"));
   try {
     file.database().exec("VACUUM");
-  } catch (const SQLite::Exception&) {
-    fmt::print(stderr, "{}: in use: its room is given back by the next prune\n", path);
+  } catch (const SQLite::Exception& error) {
+    const int code = error.getErrorCode();
+    const bool in_use = code == SQLITE_BUSY || code == SQLITE_LOCKED;
+    fmt::print(stderr, "{}: {}: its room is given back by the next prune --yes\n", path,
+               in_use ? "in use" : error.what());
   }
 }
 
 void prune_command(const MemoryCommandOptions& options, bool yes) {
-  bool removed = false;
   with_memory(options.file, yes ? Access::edit : Access::read, "pruning it",
               [&](MemoryTables& tables, MemoryFile&) {
                 const LongTermSettings settings = options.settings();
                 const PrunePlan plan = plan_prune(tables, settings);
                 if (yes) prune(tables, plan, settings);
-                removed = yes && (!plan.remove.empty() || plan.episodes > 0);
                 print_plan(options, plan, yes);
               });
-  if (removed) give_room_back(options.file);
+  if (yes) give_room_back(options.file);
 }
 
 }  // namespace

@@ -1,9 +1,11 @@
 #include <fmt/format.h>
 
+#include <array>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+#include <string_view>
 
 #include "app/commands/memory_command.hpp"
 #include "app/memory/memory_diff.hpp"
@@ -61,8 +63,26 @@ void diff(const MemoryCommandOptions& options, const std::string& a, const std::
   });
 }
 
+/// An export must not take the place of a memory: not of this one, and of no other.
+void check_is_no_memory(const std::string& out, const std::string& memory) {
+  std::error_code none;
+  std::array<char, 16> begin{};
+  std::ifstream stream(out, std::ios::binary);
+  stream.read(begin.data(), begin.size());
+  const bool is_database = std::string_view(begin.data(), begin.size()) ==
+                           std::string_view("SQLite format 3\0", begin.size());
+  if (!is_database && !std::filesystem::equivalent(out, memory, none)) return;
+  throw UserError(
+      fmt::format("{}: is a memory or another database; it is not written over\n    "
+                  "give another file, e.g. striate memory {} export home.json",
+                  out, memory));
+}
+
 void export_command(const MemoryCommandOptions& options, const std::string& out) {
-  if (out != "-") check_writable(out);
+  if (out != "-") {
+    check_is_no_memory(out, options.file);
+    check_writable(out);
+  }
   std::string text;
   std::size_t landmarks = 0;
   with_memory(options.file, Access::read, "exporting it", [&](MemoryTables& tables, MemoryFile&) {

@@ -109,6 +109,11 @@ void undo(const TeachOptions& options) {
 
 int run(const TeachOptions& options) {
   if (options.undo) {
+    if (!options.name.empty() || !options.images.empty()) {
+      throw UserError(
+          "--undo takes back what was taught last, whatever it is: give no name and no picture\n"
+          "    striate teach --undo --memory home.db");
+    }
     undo(options);
     return 0;
   }
@@ -139,7 +144,10 @@ void add_teach_command(CLI::App& app, int& exit_code) {
   command->add_option("--memory", options->memory, "the memory; made where there is none")
       ->capture_default_str();
   command->add_option("--robot", options->robot, "settings of the robot and its mind");
-  command->add_flag("--undo", options->undo, "takes back what was taught last");
+  command->add_flag(
+      "--undo", options->undo,
+      "takes back the views that were taught last; older ones that made room for them "
+      "do not come back");
   command->add_flag("--json", options->json, "print JSON instead of text");
   command->callback([options, &exit_code] { exit_code = run(*options); });
 }

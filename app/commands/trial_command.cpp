@@ -27,7 +27,11 @@ void read_shard(const std::string& text, TrialOptions& options) {
 void add_merge(CLI::App& trial, int& exit_code) {
   auto folders = std::make_shared<std::vector<std::string>>();
   auto out = std::make_shared<std::string>();
-  CLI::App* merge = trial.add_subcommand("merge", "joins the shards of a trial into one table");
+  CLI::App* merge = trial.add_subcommand(
+      "merge",
+      "Joins the shards of a trial into one table. Exit code 1 if runs of it are missing.\n"
+      "Results do not say what --robot was: it is not compared, and the commands that show a\n"
+      "failed run again have none; add it where the trial had it.");
   merge->add_option("folders", *folders, "the --out folders of the shards")->required();
   merge->add_option("--out", *out, "folder for runs.csv and table.md of all")->required();
   merge->callback([folders, out, &exit_code] { exit_code = merge_trials(*folders, *out); });

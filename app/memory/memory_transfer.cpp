@@ -6,6 +6,7 @@
 #include "app/memory/base64.hpp"
 #include "app/memory/memory_json.hpp"
 #include "config/user_error.hpp"
+#include "memory/long_term/teaching.hpp"
 #include "memory/long_term/view_codec.hpp"
 
 // Export and import of a whole memory: memory_json.hpp.
@@ -42,6 +43,7 @@ Session session_of(const Json& json) {
 Landmark landmark_of(const Json& json) {
   Landmark landmark;
   json.at("name").get_to(landmark.name);
+  check_landmark_name(landmark.name);
   landmark.kind = json.at("kind") == "taught" ? LandmarkKind::taught : LandmarkKind::candidate;
   if (const Json& at = json.at("position"); !at.is_null()) {
     landmark.position = MapPosition{at.at("x_m"), at.at("y_m"), at.at("var_x_m2"),

@@ -19,7 +19,10 @@ cv::Mat3b shrunk(const cv::Mat3b& picture) {
   if (side <= kLongestSide_px) return picture;
   const double scale = static_cast<double>(kLongestSide_px) / side;
   cv::Mat3b small;
-  cv::resize(picture, small, {}, scale, scale, cv::INTER_AREA);
+  // A strip a pixel high stays one pixel high.
+  const cv::Size size(std::max(1, cvRound(scale * picture.cols)),
+                      std::max(1, cvRound(scale * picture.rows)));
+  cv::resize(picture, small, size, 0.0, 0.0, cv::INTER_AREA);
   return small;
 }
 

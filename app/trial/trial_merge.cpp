@@ -6,6 +6,7 @@
 #include <fstream>
 #include <map>
 #include <optional>
+#include <set>
 
 #include "app/run_result.hpp"
 #include "app/trial/trial_table.hpp"
@@ -46,16 +47,44 @@ void check_same_trial(const Found& first, const Found& other) {
                   first.file, other.file));
 }
 
-void take_folder(const std::string& folder, std::map<Key, Found>& all) {
+using Runs = std::map<Key, Found>;
+
+constexpr std::uint64_t kMostRuns = 10000;  ///< of a world in a trial
+
+/// Runs that came to no end, and holes: a trial gives every world the same seeds in a row.
+std::set<Key> missing_runs(const Runs& all, std::set<Key> unfinished) {
+  std::set<std::string> worlds;
+  std::set<std::uint64_t> seeds;
+  const auto note = [&](const Key& key) {
+    worlds.insert(key.first);
+    seeds.insert(key.second);
+  };
+  for (const auto& [key, found] : all) note(key);
+  for (const Key& key : unfinished) note(key);
+  if (!seeds.empty() && *seeds.rbegin() - *seeds.begin() < kMostRuns) {
+    const std::uint64_t last = *seeds.rbegin();
+    for (std::uint64_t seed = *seeds.begin(); seed != last; ++seed) seeds.insert(seed);
+  }
+  for (const std::string& world : worlds) {
+    for (const std::uint64_t seed : seeds) unfinished.insert({world, seed});
+  }
+  for (const auto& [key, found] : all) unfinished.erase(key);
+  return unfinished;
+}
+
+void take_folder(const std::string& folder, Runs& all, std::set<Key>& unfinished) {
   std::error_code code;
   std::size_t count = 0;
   for (const auto& entry : fs::directory_iterator(folder + "/runs", code)) {
     if (entry.path().extension() != ".json") continue;
     Found found{read_run(entry.path()), entry.path().string()};
     ++count;
-    if (found.result.outcome == "interrupted" || found.result.outcome == "lost") continue;
-    if (!all.empty()) check_same_trial(all.begin()->second, found);
     const Key key{found.result.world, found.result.seed};
+    if (found.result.outcome == "interrupted" || found.result.outcome == "lost") {
+      unfinished.insert(key);
+      continue;
+    }
+    if (!all.empty()) check_same_trial(all.begin()->second, found);
     const auto [place, is_new] = all.emplace(key, found);
     if (is_new || place->second.result.outcome == found.result.outcome) continue;
     throw UserError(fmt::format("{} and {} tell different things of the same run",
@@ -70,14 +99,20 @@ void take_folder(const std::string& folder, std::map<Key, Found>& all) {
 }  // namespace
 
 int merge_trials(const std::vector<std::string>& folders, const std::string& out) {
-  std::map<Key, Found> all;
-  for (const std::string& folder : folders) take_folder(folder, all);
+  Runs all;
+  std::set<Key> unfinished;
+  for (const std::string& folder : folders) take_folder(folder, all, unfinished);
+  const std::set<Key> missing = missing_runs(all, unfinished);
   std::vector<RunResult> results;
   for (auto& [key, found] : all) results.push_back(std::move(found.result));
   write_file(out + "/runs.csv", runs_csv(results));
   write_file(out + "/table.md", trial_table(results));
   fmt::print("{}{}", trial_table(results), replay_commands(results, ""));
-  return 0;
+  if (missing.empty()) return 0;
+  fmt::print(stderr, "{} runs are not in the table: interrupted, lost or without a result\n",
+             missing.size());
+  for (const auto& [world, seed] : missing) fmt::print(stderr, "  {} seed {}\n", world, seed);
+  return 1;
 }
 
 }  // namespace striate

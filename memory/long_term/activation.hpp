@@ -17,7 +17,7 @@ struct Situation {
 };
 
 /// Base-level activation of ACT-R in Petrov's hybrid form: the last k <= 10 of n uses exactly, the
-/// older ones as if spread evenly since the first use, L ago (spec memory.md, "Activation"):
+/// older ones as if spread evenly since the first use, L ago (Petrov 2006):
 ///   B = ln[ sum_{j<=k} t_j^-d + (n-k) (L^(1-d) - t_k^(1-d)) / ((1-d) (L - t_k)) ]
 /// Uses nearer than a second count as a second ago. Never used: minus infinity.
 [[nodiscard]] double base_level(const UseHistory& history, double now_s, double decay);

@@ -40,6 +40,8 @@ class Merger {
     std::reverse(sessions.begin(), sessions.end());
     for (Session session : sessions) {
       if (session.state == SessionState::open) session.state = SessionState::closed;
+      // Not taught here: undoing the last teaching must not reach it.
+      if (session.kind == SessionKind::teach) session.kind = SessionKind::import;
       const std::int64_t id = session.id;
       session.operating_start_s += shift_s_;
       sessions_[id] = tables_.sessions.adopt(session);
@@ -110,7 +112,11 @@ class Merger {
     ours.history.first_s = std::min(ours.history.first_s, theirs.history.first_s);
     ours.strength = std::max(ours.strength, theirs.strength);
     ours.pinned = ours.pinned || theirs.pinned;
-    if (!theirs.retired_s) ours.retired_s.reset();
+    if (!theirs.retired_s) {
+      ours.retired_s.reset();
+      ours.retired_why.clear();
+    }
+    if (!has_map_ && !ours.position) ours.position = theirs.position;
     tables_.landmarks.update(ours);
     if (ours.kind == LandmarkKind::candidate && theirs.kind == LandmarkKind::taught) {
       tables_.landmarks.rename(ours.id, ours.name, LandmarkKind::taught);
@@ -133,6 +139,11 @@ class Merger {
     }
     const std::vector<ObstacleCell> cells = other_.places.cells();
     if (has_map_) {
+      const std::vector<Landmark> theirs = other_.landmarks.all(true);
+      if (cells.empty() &&
+          std::none_of(theirs.begin(), theirs.end(), [](auto& one) { return one.position; })) {
+        return;
+      }
       merged_.remarks.emplace_back(
           "positions and the obstacle grid of the other memory were left out: its map has another "
           "origin");

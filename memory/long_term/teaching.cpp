@@ -159,9 +159,12 @@ std::string undo_teaching(MemoryTables& tables) {
   for (const Session& session : tables.sessions.all()) {
     if (session.kind != SessionKind::teach || session.outcome == "undone") continue;
     const int views = tables.views.count_of_session(session.id);
-    if (views == 0) continue;
     tables.views.remove_of_session(session.id);
     tables.sessions.set_outcome(session.id, "undone");
+    if (views == 0) {
+      return fmt::format("session {} ({}) undone: nothing of it was there to take back", session.id,
+                         session.settings);
+    }
     return fmt::format("session {} ({}) undone: {} view{} taken back", session.id, session.settings,
                        views, views == 1 ? "" : "s");
   }

@@ -34,7 +34,8 @@ void check_landmark_name(const std::string& name);
 bool add_view(MemoryTables& tables, const StoredView& view, ViewComparer& comparer,
               const LongTermSettings& settings);
 
-/// Takes back what the last teaching session kept.
+/// Takes back the views that the newest teaching session not yet undone has added here; teaching
+/// that came in by merging is not touched. What the limit of views removed does not come back.
 /// @return what was taken back, in a sentence. @throws UserError where there is nothing to undo.
 [[nodiscard]] std::string undo_teaching(MemoryTables& tables);
 

@@ -20,13 +20,12 @@ ViewTable::ViewTable(SQLite::Database& database)
            "INSERT INTO landmark_view (landmark, session, width_px, height_px, keypoint_count, "
            "range_m, bearing_rad, crc, descriptors, keypoints, picture_crc, picture) "
            "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"),
-      of_(database, "SELECT " + kColumns + ", v.picture FROM landmark_view v " +
+      of_(database, "SELECT " + kColumns + ", v.picture_crc, v.picture FROM landmark_view v " +
                         "WHERE v.landmark = ? ORDER BY v.id"),
       each_(database, "SELECT " + kColumns +
                           " FROM landmark_view v CROSS JOIN landmark l ON l.id = v.landmark "
                           "WHERE l.retired_s IS NULL ORDER BY v.id"),
       remove_(database, "DELETE FROM landmark_view WHERE id = ?"),
-      hand_over_(database, "UPDATE landmark_view SET landmark = ? WHERE landmark = ?"),
       count_of_session_(database, "SELECT count(*) FROM landmark_view WHERE session = ?"),
       remove_of_session_(database, "DELETE FROM landmark_view WHERE session = ?"),
       remove_empty_(database,
@@ -70,8 +69,11 @@ void ViewTable::read(const StatementUse& row, StoredView& view, bool with_pictur
   unpack(keypoints, view.keypoints);
   view.picture.clear();
   if (with_picture) {
-    const auto picture = bytes_of(row.column(10));
-    view.picture.assign(picture.begin(), picture.end());
+    const auto picture = bytes_of(row.column(11));
+    // A damaged picture is left out: copied on, it would get a checksum that fits.
+    if (crc32c(picture) == static_cast<std::uint32_t>(row.column(10).getInt64())) {
+      view.picture.assign(picture.begin(), picture.end());
+    }
   }
 }
 
@@ -94,10 +96,6 @@ void ViewTable::for_each(const std::function<void(const StoredView&)>& take) {
 
 void ViewTable::remove(std::int64_t id) {
   StatementUse(remove_).with(id).run();
-}
-
-void ViewTable::hand_over(std::int64_t from_landmark, std::int64_t to_landmark) {
-  StatementUse(hand_over_).with(to_landmark).with(from_landmark).run();
 }
 
 int ViewTable::count_of_session(std::int64_t session) {

@@ -20,14 +20,13 @@ class ViewTable {
 
   /// @return its id. The view has at least one keypoint and as many descriptors.
   std::int64_t add(const StoredView& view);
-  /// All views of a landmark with their pictures, the oldest first. Damaged ones say so.
+  /// All views of a landmark with their pictures, the oldest first. Damaged ones say so; a
+  /// damaged picture is empty.
   [[nodiscard]] std::vector<StoredView> of(std::int64_t landmark);
   /// Hands every view of every landmark that is not retired to `take`, without its picture, in the
   /// order of the file. The view is reused for the next one. Damaged ones are handed over too.
   void for_each(const std::function<void(const StoredView&)>& take);
   void remove(std::int64_t id);
-  /// Hands the views of one landmark to another.
-  void hand_over(std::int64_t from_landmark, std::int64_t to_landmark);
   /// @return how many views a session added and are still there.
   [[nodiscard]] int count_of_session(std::int64_t session);
   /// Removes what a session added, and landmarks that have no view left.
@@ -37,8 +36,7 @@ class ViewTable {
   static void read(const StatementUse& row, StoredView& view, bool with_picture);
 
   SQLite::Database& database_;
-  SQLite::Statement add_, of_, each_, remove_, hand_over_, count_of_session_, remove_of_session_,
-      remove_empty_;
+  SQLite::Statement add_, of_, each_, remove_, count_of_session_, remove_of_session_, remove_empty_;
 };
 
 }  // namespace striate

@@ -28,7 +28,7 @@ void check_order(const Node& until, double within_s, config::Mistakes& mistakes)
   config::Mistakes unheard(mistakes.file());
   const auto after_s = config::read_quantity(until.entries.front().value, config::Unit::duration,
                                              {0.0, 86400.0}, unheard);
-  if (!after_s || *after_s < within_s) return;
+  if (!after_s || *after_s <= within_s) return;
   mistakes.add(fault::unreachable, until.entries.front().key_place,
                "this is never reached: 'within' is over before", "make 'within' longer");
 }

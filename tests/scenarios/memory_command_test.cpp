@@ -93,6 +93,8 @@ TEST(Teach, SaysWhatLooksAlikeAndWhatHasNoStructureAndCanBeUndone) {
   EXPECT_THAT(again.out, HasSubstr("looks like 'book'"));
   EXPECT_EQ(striate({"teach", "--undo", "--memory", file}).exit_code, 0);
   EXPECT_EQ(memory_json(file, {"list"}).size(), 1U);
+  EXPECT_EQ(striate({"teach", "book", "--undo", "--memory", file}).exit_code, 2);
+  EXPECT_EQ(memory_json(file, {"list"}).size(), 1U);
 
   const std::string wall = folder / "wall.png";
   cv::imwrite(wall, cv::Mat3b(200, 200, cv::Vec3b(180, 180, 180)));
@@ -158,6 +160,32 @@ TEST(MemoryCommand, ExportAndImportRoundTripAndMergeJoins) {
   EXPECT_EQ(memory(copy, {"merge", copy}).exit_code, 2);
   const std::string wrong = folder.write("wrong.json", "{\"a\": 1}");
   EXPECT_THAT(memory(copy, {"import", wrong}).err, HasSubstr("no export of a memory"));
+}
+
+TEST(MemoryCommand, ExportWritesOverNoMemory) {
+  const TemporaryFolder folder;
+  const std::string file = folder / "home.db";
+  const std::string other = folder / "other.db";
+  const std::string link = folder / "link.json";
+  teach(file, "book", picture_of_a_thing(folder, 1));
+  execute(other, "CREATE TABLE t (x)");
+  std::filesystem::create_symlink(file, link);
+  for (const std::string& out : {file, link, other}) {
+    const std::string before = read_text(out);
+    const Ended ended = memory(file, {"export", out});
+    EXPECT_EQ(ended.exit_code, 2) << out;
+    EXPECT_THAT(ended.err, HasSubstr("it is not written over"));
+    EXPECT_EQ(read_text(out), before);
+  }
+  const std::string text = folder.write("home.json", "an older export");
+  EXPECT_EQ(memory(file, {"export", text}).exit_code, 0);
+  EXPECT_EQ(memory_json(file, {"list"}).size(), 1U);
+  // A name that nobody could type is not taken in.
+  std::string json = read_text(text);
+  const std::string name = "\"name\": \"book\"";
+  json.replace(json.find(name), name.size(), "\"name\": \"bo\\nk\"");
+  EXPECT_THAT(memory(file, {"import", folder.write("bad.json", json)}).err,
+              HasSubstr("is no name for a landmark"));
 }
 
 TEST(MemoryCommand, DrawsTheMapOfTheGoldenMemory) {
@@ -239,6 +267,23 @@ TEST(MissionMemory, CanBeLookedIntoWhileItRunsAndSurvivesKillNine) {
   EXPECT_THAT(next.err,
               AllOf(HasSubstr("(mission) ended without closing"), HasSubstr("found no damage")));
   EXPECT_EQ(memory_json(file, {"list", "--all"}).size(), 2U);
+}
+
+TEST(MissionMemory, ATaskThatNeedsALandmarkIsCheckedAgainstIt) {
+  const TemporaryFolder folder;
+  const std::string file = folder / "home.db";
+  const std::string task =
+      folder.write("t.yaml", "striate: 1\nneeds: {landmarks: [book]}\ndo:\n  - wait: {for: 1 s}\n");
+  const auto run = [&] {
+    return striate(
+        {"run", task, "--world", "config/worlds/empty.yaml", "--quiet", "--memory", file});
+  };
+  EXPECT_EQ(run().exit_code, 2);
+  EXPECT_FALSE(std::filesystem::exists(file));
+  teach(file, "bok", picture_of_a_thing(folder, 1));
+  EXPECT_THAT(run().err, HasSubstr("the memory knows no landmark 'book'"));
+  teach(file, "book", picture_of_a_thing(folder, 2));
+  EXPECT_EQ(run().exit_code, 0);
 }
 
 TEST(MissionMemory, KeepsStartAndEndAndTheOperatingTime) {

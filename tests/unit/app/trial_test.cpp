@@ -90,6 +90,15 @@ TEST(TrialMerge, JoinsFoldersAndRefusesWhatDoesNotBelongTogether) {
   EXPECT_EQ(merge_trials({base + "/1", base + "/2"}, base + "/all"), 0);
   EXPECT_THAT(testing::internal::GetCapturedStdout(), HasSubstr("| corridor_a | 1 / 2 | 50 % |"));
   EXPECT_TRUE(std::filesystem::exists(base + "/all/runs.csv"));
+  RunResult lost = run("corridor_a", 5, false);
+  lost.outcome = "lost";
+  put("5", lost);
+  testing::internal::CaptureStdout();
+  testing::internal::CaptureStderr();
+  EXPECT_EQ(merge_trials({base + "/1", base + "/2", base + "/5"}, base + "/all"), 1);
+  (void)testing::internal::GetCapturedStdout();
+  EXPECT_THAT(testing::internal::GetCapturedStderr(),
+              testing::AllOf(HasSubstr("3 runs are not in the table"), HasSubstr("seed 4")));
   EXPECT_THROW(merge_trials({base + "/nowhere"}, base + "/all"), UserError);
   RunResult other = run("corridor_a", 3, true);
   other.emergency_layer = !other.emergency_layer;

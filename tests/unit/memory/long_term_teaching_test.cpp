@@ -143,6 +143,43 @@ TEST(Teaching, CanBeUndone) {
   EXPECT_THAT(sentence_of([&] { (void)undo_teaching(memory.tables); }), HasSubstr("no teaching"));
 }
 
+TEST(Teaching, UndoingOneThatAddedNothingLeavesTheOneBeforeAlone) {
+  const Folder folder;
+  Opened memory(folder / "home.db", Access::session);
+  const StoredView front = scattered_view(1, 80);
+  (void)teach_in_session(memory, "book", {front});
+  (void)teach_in_session(memory, "book", {seen_again(front, 4.0F, 5)});
+  EXPECT_THAT(undo_teaching(memory.tables), HasSubstr("nothing of it was there to take back"));
+  EXPECT_EQ(memory.tables.landmarks.find("book")->views, 1);
+  EXPECT_THAT(undo_teaching(memory.tables), HasSubstr("1 view taken back"));
+}
+
+TEST(Teaching, UndoDoesNotReachWhatAnotherRobotWasTaught) {
+  const Folder folder;
+  Opened ours(folder / "a.db", Access::session);
+  Opened theirs(folder / "b.db", Access::session);
+  (void)teach_in_session(ours, "lamp", {scattered_view(9, 80)});
+  (void)teach_in_session(theirs, "cup", {scattered_view(4, 80)});
+  (void)merge(ours.tables, theirs.tables, {});
+  (void)undo_teaching(ours.tables);
+  EXPECT_FALSE(ours.tables.landmarks.find("lamp").has_value());
+  EXPECT_THAT(sentence_of([&] { (void)undo_teaching(ours.tables); }), HasSubstr("no teaching"));
+  EXPECT_EQ(ours.tables.landmarks.find("cup")->views, 1);
+}
+
+TEST(Tables, ADamagedPictureIsLeftOutSoThatMergingDoesNotMakeItGood) {
+  const Folder folder;
+  Opened theirs(folder / "b.db", Access::session);
+  StoredView view = scattered_view(1, 80);
+  view.picture = {1, 2, 3};
+  (void)teach_in_session(theirs, "book", {view});
+  const std::int64_t book = theirs.tables.landmarks.find("book")->id;
+  EXPECT_EQ(theirs.tables.views.of(book).front().picture, view.picture);
+  theirs.file.database().exec("UPDATE landmark_view SET picture = x'010204'");
+  EXPECT_THAT(theirs.tables.views.of(book).front().picture, IsEmpty());
+  EXPECT_FALSE(theirs.tables.views.of(book).front().damaged);
+}
+
 TEST(Teaching, ViewsAreCapped) {
   const Folder folder;
   Opened memory(folder / "home.db", Access::session);
@@ -238,6 +275,23 @@ TEST(Merging, TheSameObjectTaughtTwiceIsOneLandmarkWithBothViews) {
   ASSERT_EQ(ours.tables.places.routes().size(), 1U);
   EXPECT_EQ(ours.tables.places.routes()[0].to, ours.tables.landmarks.find("cup")->id);
   EXPECT_THAT(find_damage(ours.file.database()), IsEmpty());
+}
+
+TEST(Merging, APositionComesAlongWhereThereIsNoMapAndBringsAForgottenOneBack) {
+  const Folder folder;
+  Opened ours(folder / "a.db", Access::session);
+  Opened theirs(folder / "b.db", Access::session);
+  add_landmark(ours.tables, "book", 1);
+  forget(ours.tables, "book", "asked for");
+  add_landmark(theirs.tables, "book", 2);
+  Landmark book = *theirs.tables.landmarks.find("book");
+  EXPECT_THAT(merge(ours.tables, theirs.tables, {}).remarks, IsEmpty());
+  EXPECT_EQ(ours.tables.landmarks.find("book")->retired_why, "");
+  book.position = MapPosition{1.5, -2.0, 0.04, 0.01, 0.09};
+  theirs.tables.landmarks.update(book);
+  EXPECT_THAT(merge(ours.tables, theirs.tables, {}).remarks, IsEmpty());
+  EXPECT_EQ(ours.tables.landmarks.find("book")->position->x_m, 1.5);
+  EXPECT_THAT(merge(ours.tables, theirs.tables, {}).remarks, ElementsAre(HasSubstr("left out")));
 }
 
 TEST(Growth, ARobotThatStandsStillForAnHourAddsLessThan100Kilobytes) {

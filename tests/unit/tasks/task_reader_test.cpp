@@ -99,6 +99,12 @@ TEST(TaskReader, GivenValuesReplaceDeclaredVariablesOnly) {
   EXPECT_THAT(bad.text(), HasSubstr("$far is '5 s', given from outside"));
 }
 
+TEST(TaskReader, AGoalAtTheEndOfItsTimeIsReached) {
+  EXPECT_THAT(mistakes_of("striate: 1\ndo:\n  - traverse_corridor: {}\n"
+                          "    until: {after: 10 s}\n    within: 10 s\n"),
+              testing::Not(HasSubstr("T033")));
+}
+
 TEST(TaskReader, SaysWhatIsMissing) {
   EXPECT_THAT(mistakes_of("mission: x\n"), HasSubstr("the task needs 'striate'"));
   EXPECT_THAT(mistakes_of("striate: 1\n"), HasSubstr("the task needs 'do'"));
