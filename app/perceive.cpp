@@ -142,7 +142,8 @@ void find_near_blobs(const PerceiveOptions& o, const StereoFrame& frame, Judged&
 }
 
 Judged judge(const PerceiveOptions& o, const StereoFrame& frame) {
-  constexpr double kTrustedPromise = 0.66;  // about what a score of 0.3, the driving robot's, has kept
+  constexpr double kTrustedPromise =
+      0.66;  // about what a score of 0.3, the driving robot's, has kept
   PerceptionSettings settings;
   settings.stereo = StereoSettings{};
   settings.obstacles.trusted = kTrustedPromise;
