@@ -2,12 +2,9 @@
 #include <fmt/format.h>
 
 #include <opencv2/features2d.hpp>
-#include <opencv2/imgcodecs.hpp>
-#include <opencv2/imgproc.hpp>
 
 #include "perception/keypoints/keypoints.hpp"
-#include "tests/benchmarks/in_turns.hpp"
-#include "tests/reference/test_pictures.hpp"
+#include "tests/benchmarks/one_picture.hpp"
 
 /// keypoint_benchmark [PICTURE]: keypoints with descriptors at 640x480 on one core; without a
 /// picture on a texture made by rule. Methods are run in turns; what counts are the medians of CPU
@@ -58,28 +55,11 @@ void register_all(const cv::Mat1b& picture) {
   add("BRISK, 3 octaves", opencv, cv::Ptr<cv::Feature2D>(cv::BRISK::create(30, 3)));
 }
 
-cv::Mat1b picture_of(int argc, char** argv) {
-  cv::Mat1b picture = reference::texture({640, 480}, 1);
-  if (argc > 1) {
-    picture = cv::imread(argv[1], cv::IMREAD_GRAYSCALE);
-    if (!picture.empty()) cv::resize(picture, picture, {640, 480}, 0, 0, cv::INTER_AREA);
-  }
-  return picture;
-}
-
 }  // namespace
 }  // namespace striate
 
 int main(int argc, char** argv) {
   striate::InTurns turns(argc, argv, 9, "0.05");
-  const cv::Mat1b picture = striate::picture_of(turns.count(), turns.arguments());
-  if (turns.count() > 2 || picture.empty()) {
-    fmt::print(stderr, "keypoint_benchmark [PICTURE]: one picture that can be read\n");
-    return 2;
-  }
-  striate::register_all(picture);
-  striate::Medians medians;
-  benchmark::RunSpecifiedBenchmarks(&medians);
-  medians.print_ratios([](const std::string&) { return striate::kYardstick; });
-  return 0;
+  return striate::run_on_one_picture(turns, "keypoint_benchmark", striate::register_all,
+                                     striate::kYardstick);
 }

@@ -14,6 +14,8 @@
 #include <thread>
 #include <vector>
 
+#include "tests/reference/temporary_folder.hpp"
+
 /// Runs the command `striate` as a user would, in the source tree.
 namespace striate::scenarios {
 
@@ -30,25 +32,7 @@ inline std::string read_text(const std::string& file) {
   return text.str();
 }
 
-/// A folder that is gone when the test is over.
-class TemporaryFolder {
- public:
-  TemporaryFolder() {
-    std::string pattern = (std::filesystem::temp_directory_path() / "striate_XXXXXX").string();
-    path_ = mkdtemp(pattern.data());
-  }
-  ~TemporaryFolder() { std::filesystem::remove_all(path_); }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  [[nodiscard]] std::string operator/(const std::string& name) const { return path_ + "/" + name; }
-  [[nodiscard]] std::string write(const std::string& name, const std::string& text) const {
-    std::ofstream(*this / name) << text;
-    return *this / name;
-  }
-
- private:
-  std::string path_;
-};
+using reference::TemporaryFolder;
 
 /// @param signal_after when not zero, SIGINT is sent after this time.
 inline Ended striate(const std::vector<std::string>& arguments,

@@ -1,7 +1,6 @@
 #include "platform/pioneer/laser/lms_driver.hpp"
 
-#include <algorithm>
-#include <cmath>
+#include "platform/pioneer/laser/axle_ray.hpp"
 
 namespace striate::pioneer {
 namespace {
@@ -81,13 +80,7 @@ void LmsDriver::take_scan(const lms200::Telegram& telegram, TimePoint now) {
   const auto last = static_cast<double>(scan->ranges_m.size() - 1);
   for (std::size_t i = 0; i < scan->ranges_m.size(); ++i) {
     const double bearing_rad = radians(-90.0 + 180.0 * static_cast<double>(i) / last);
-    const double range_m = scan->ranges_m[i];
-    if (!std::isfinite(range_m)) {
-      scan_.readings.push_back({bearing_rad, range_m});
-      continue;
-    }
-    const Point2 hit = to_outer({settings_.forward_m, 0.0, bearing_rad}, Point2{range_m, 0.0});
-    scan_.readings.push_back({std::atan2(hit.y_m, hit.x_m), std::hypot(hit.x_m, hit.y_m)});
+    scan_.readings.push_back(axle_ray(settings_.forward_m, bearing_rad, scan->ranges_m[i]));
   }
 }
 

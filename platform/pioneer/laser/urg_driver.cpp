@@ -1,7 +1,8 @@
 #include "platform/pioneer/laser/urg_driver.hpp"
 
 #include <algorithm>
-#include <cmath>
+
+#include "platform/pioneer/laser/axle_ray.hpp"
 
 namespace striate::pioneer {
 
@@ -70,13 +71,7 @@ void UrgDriver::take_scan(const scip::Reply& reply, TimePoint now) {
   scan_.stamp = now - from_seconds(60.0 / std::max(1, parameters_.rpm));
   scan_.readings.clear();
   for (const scip::Ray& ray : scan->rays) {
-    if (!std::isfinite(ray.distance_m)) {
-      scan_.readings.push_back({ray.bearing_rad, ray.distance_m});
-      continue;
-    }
-    const Point2 hit =
-        to_outer({settings_.forward_m, 0.0, ray.bearing_rad}, Point2{ray.distance_m, 0.0});
-    scan_.readings.push_back({std::atan2(hit.y_m, hit.x_m), std::hypot(hit.x_m, hit.y_m)});
+    scan_.readings.push_back(axle_ray(settings_.forward_m, ray.bearing_rad, ray.distance_m));
   }
 }
 

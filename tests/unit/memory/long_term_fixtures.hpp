@@ -1,8 +1,5 @@
 #pragma once
 
-#include <unistd.h>
-
-#include <cstdlib>
 #include <filesystem>
 #include <random>
 #include <string>
@@ -11,26 +8,12 @@
 #include "memory/long_term/memory_file.hpp"
 #include "memory/long_term/memory_tables.hpp"
 #include "memory/long_term/memory_writer.hpp"
+#include "tests/reference/temporary_folder.hpp"
 
 /// What the tests of the long-term memory share.
 namespace striate::memory_tests {
 
-/// A folder that is gone when the test is over.
-class Folder {
- public:
-  Folder() {
-    std::string pattern = (std::filesystem::temp_directory_path() / "striate_XXXXXX").string();
-    path_ = mkdtemp(pattern.data());
-  }
-  ~Folder() { std::filesystem::remove_all(path_); }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  [[nodiscard]] std::string operator/(const std::string& name) const { return path_ + "/" + name; }
-  [[nodiscard]] const std::string& path() const { return path_; }
-
- private:
-  std::string path_;
-};
+using Folder = reference::TemporaryFolder;
 
 /// Keypoints scattered over 200 x 150 px with descriptors of coin flips.
 inline StoredView scattered_view(unsigned seed, int keypoints) {
