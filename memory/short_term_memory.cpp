@@ -19,7 +19,8 @@ ShortTermMemory::ShortTermMemory(const ShortTermMemorySettings& settings,
     : settings_(settings),
       robot_(robot),
       evidence_(settings.evidence, robot.camera_height_m),
-      salient_(settings.salient) {
+      salient_(settings.salient),
+      landmarks_(settings.landmarks) {
   regions_now_.reserve(kMostRegions);
 }
 
@@ -53,6 +54,7 @@ void ShortTermMemory::feel(const Senses& senses) {
   if (corridor_.started()) {
     corridor_.move(before, pose_);
     salient_.move(before, pose_);
+    landmarks_.move(before, pose_);
     travelled_m_ += std::hypot(pose_.x_m - before.x_m, pose_.y_m - before.y_m);
   } else {
     corridor_.start(pose_);
@@ -136,6 +138,11 @@ void ShortTermMemory::fade() {
 double ShortTermMemory::picture_age_s() const {
   return picture_seen_ ? to_seconds(now_ - picture_stamp_)
                        : std::numeric_limits<double>::infinity();
+}
+
+void ShortTermMemory::recognise(const LandmarkSighting& sighting) {
+  if (!history_.reaches(sighting.stamp)) return;  // too old to say where it belongs
+  landmarks_.see(sighting, history_.at(sighting.stamp), pose_);
 }
 
 void ShortTermMemory::remember(const MotorCommand& sent, std::string_view doing) {

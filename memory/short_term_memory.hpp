@@ -8,6 +8,7 @@
 #include "memory/blank_view.hpp"
 #include "memory/corridor_memory.hpp"
 #include "memory/evidence.hpp"
+#include "memory/landmark_memory.hpp"
 #include "memory/local_grid.hpp"
 #include "memory/odometry_history.hpp"
 #include "memory/polar_map.hpp"
@@ -26,6 +27,7 @@ struct ShortTermMemorySettings {
   double blur_share = 0.06;
   EvidenceSettings evidence;
   SalientSettings salient;
+  LandmarkMemorySettings landmarks;
 };
 
 template <class V>
@@ -43,6 +45,7 @@ void visit(V& v, ShortTermMemorySettings& s) {
   v.number("blur_share", s.blur_share, Unit::fraction, {0, 0.5}, "what leaks to the neighbours");
   v.section("evidence", s.evidence);
   v.section("salient", s.salient);
+  v.section("landmarks", s.landmarks);
 }
 
 /// What the robot knows here and now: the evidence map, the corridor, seven salient regions, its
@@ -64,6 +67,12 @@ class ShortTermMemory {
   void update(const Senses& senses, const Percept& percept);
   /// The efference copy: what really went to the motors, and which behaviour wanted it.
   void remember(const MotorCommand& sent, std::string_view doing);
+  /// A landmark was recognised in the picture of `sighting.stamp`.
+  void recognise(const LandmarkSighting& sighting);
+  /// Long-term memory knows a landmark's place; in the odometry frame of this run.
+  void recall(std::int64_t landmark, std::string_view name, const Point2& place, double sigma_m) {
+    landmarks_.recall(landmark, name, place, sigma_m);
+  }
 
   // The body.
   [[nodiscard]] TimePoint now() const { return now_; }
@@ -84,6 +93,7 @@ class ShortTermMemory {
   [[nodiscard]] PolarMap polar_map() const { return read_polar_map(grid_, pose_, now_); }
   [[nodiscard]] const CorridorMemory& corridor() const { return corridor_; }
   [[nodiscard]] const SalientMemory& salient() const { return salient_; }
+  [[nodiscard]] const LandmarkMemory& landmarks() const { return landmarks_; }
   /// Seconds since the newest picture; infinity before the first.
   [[nodiscard]] double picture_age_s() const;
   [[nodiscard]] double light_level() const { return light_level_; }  ///< 0..1
@@ -111,6 +121,7 @@ class ShortTermMemory {
   CorridorMemory corridor_;
   WallFitter wall_fitter_;
   SalientMemory salient_;
+  LandmarkMemory landmarks_;
   std::vector<SalientRegion> regions_now_;
 
   TimePoint now_{};

@@ -1,0 +1,88 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+#include "config/settings.hpp"
+#include "platform/interface/geometry.hpp"
+#include "platform/interface/time.hpp"
+
+namespace striate {
+
+/// One look in which a landmark was recognised. Robot frame at the moment of the picture.
+struct LandmarkSighting {
+  std::int64_t landmark = 0;  ///< its number in long-term memory, above 0
+  std::string_view name;      ///< cut to LandmarkInMind::kName characters
+  TimePoint stamp;            ///< of the picture
+  double score = 0.0;         ///< 0..1, of the recognition
+  double bearing_rad = 0.0;
+  double distance_m = 0.0;  ///< not above 0, or not finite: unknown
+};
+
+/// A landmark that the robot has in mind: recognised in this run, recalled, or both.
+struct LandmarkInMind {
+  static constexpr std::size_t kName = 47;
+  std::int64_t landmark = 0;  ///< 0: this entry is not in use
+  std::array<char, kName + 1> name{};
+  int sightings = 0;       ///< looks of this run in which it was recognised; 0: only recalled
+  int in_a_row = 0;        ///< of them, those that followed each other closely, up to the newest
+  bool confirmed = false;  ///< recognised in enough looks in a row, once
+  double score = 0.0;      ///< of the newest look
+  TimePoint first_seen;    ///< both meaningless without a sighting
+  TimePoint last_seen;
+  double bearing_rad = 0.0;  ///< robot frame, now
+  bool place_known = false;
+  Point2 place;                ///< odometry frame of this run
+  double place_sigma_m = 0.0;  ///< standard deviation of the place, larger axis
+};
+
+struct LandmarkMemorySettings {
+  int confirming_looks = 3;
+  double confirming_s = 3.0;
+  double look_sigma_share = 0.1;
+};
+
+template <class V>
+void visit(V& v, LandmarkMemorySettings& s) {
+  using config::Unit;
+  v.integer("confirming_looks", s.confirming_looks, {1, 20}, "so many looks confirm a landmark");
+  v.number("confirming_time", s.confirming_s, Unit::duration, {0.1, 60},
+           "longest time between two looks that count together");
+  v.number("look_sigma", s.look_sigma_share, Unit::fraction, {0.001, 1},
+           "standard deviation of a place by one look, as a share of its distance");
+}
+
+/// The landmarks of short-term memory. Fixed memory: of more than kCapacity, the one not seen for
+/// longest makes room. Behaviours and conditions read it; the cycle alone writes.
+class LandmarkMemory {
+ public:
+  static constexpr std::size_t kCapacity = 64;
+  using Landmarks = std::array<LandmarkInMind, kCapacity>;
+
+  explicit LandmarkMemory(const LandmarkMemorySettings& settings) : settings_(settings) {}
+
+  /// @param at where the robot was when the picture was taken, @param now where it is (both in the
+  /// odometry frame)
+  void see(const LandmarkSighting& sighting, const Pose2& at, const Pose2& now);
+  /// Puts a place that long-term memory knows, or that place estimation has bettered. A landmark
+  /// that is not in mind yet comes in.
+  void recall(std::int64_t landmark, std::string_view name, const Point2& place, double sigma_m);
+  /// The robot moved from `before` to `after`: bearings follow.
+  void move(const Pose2& before, const Pose2& after);
+
+  /// nullptr where it is not in mind.
+  [[nodiscard]] const LandmarkInMind* find(std::string_view name) const;
+  /// Confirmed, and recognised within `window` before `now`.
+  [[nodiscard]] bool in_sight(std::string_view name, TimePoint now, Duration window) const;
+  [[nodiscard]] const Landmarks& all() const { return landmarks_; }
+
+ private:
+  LandmarkInMind& entry_for(std::int64_t landmark, std::string_view name);
+
+  LandmarkMemorySettings settings_;
+  Landmarks landmarks_{};
+};
+
+}  // namespace striate
