@@ -97,6 +97,19 @@ HWY_INLINE void FindTaps(const PacketTexture& surface, const float* u, const flo
   }
 }
 
+#if HWY_TARGET == HWY_SCALAR
+
+void Blend(const Taps& taps, V4* albedo) {
+  for (std::size_t i = 0; i < kPacket; ++i) {
+    const auto texel = [&](int k) { return unpacked(taps.texel[k][i]); };
+    const V4 value =
+        lerp(lerp(texel(0), texel(1), taps.u[i]), lerp(texel(2), texel(3), taps.u[i]), taps.v[i]);
+    albedo[i] = value * value * splat(1.0F / (255.0F * 255.0F));
+  }
+}
+
+#else
+
 HWY_INLINE VF Lerp(VF a, VF b, VF weight) {
   return hn::Add(a, hn::Mul(hn::Sub(b, a), weight));
 }
@@ -124,11 +137,79 @@ HWY_INLINE void Blend(const Taps& taps, V4* albedo) {
   }
 }
 
+#endif
+
 void SamplePacket(const PacketTexture& surface, const float* u, const float* v,
                   const std::uint32_t* texels, V4* albedo) {
   Taps taps;
   FindTaps(surface, u, v, texels, taps);
   Blend(taps, albedo);
+}
+
+void LightPacket(const PacketLight& map, const float* u, const float* v, V4* light) {
+  const DF df;
+  const DI di;
+  alignas(64) std::array<std::int32_t, kPacket> cell;
+  alignas(64) std::array<float, kPacket> right;
+  alignas(64) std::array<float, kPacket> low;
+  for (int lane = 0; lane < kPacket; lane += static_cast<int>(hn::Lanes(df))) {
+    const VF x = hn::Mul(hn::LoadU(df, u + lane), hn::Set(df, static_cast<float>(map.across - 1)));
+    const VF y = hn::Mul(hn::LoadU(df, v + lane), hn::Set(df, static_cast<float>(map.down - 1)));
+    const VI i = hn::Min(hn::ConvertTo(di, x), hn::Set(di, map.across - 2));
+    const VI j = hn::Min(hn::ConvertTo(di, y), hn::Set(di, map.down - 2));
+    hn::StoreU(hn::Sub(x, hn::ConvertTo(df, i)), df, right.data() + lane);
+    hn::StoreU(hn::Sub(y, hn::ConvertTo(df, j)), df, low.data() + lane);
+    hn::StoreU(hn::Add(hn::Mul(j, hn::Set(di, map.across)), i), di, cell.data() + lane);
+  }
+  for (std::size_t k = 0; k < kPacket; ++k) {
+    const V4* at = map.texels + cell[k];
+    const V4* below = at + map.across;
+    light[k] = lerp(lerp(at[0], at[1], right[k]), lerp(below[0], below[1], right[k]), low[k]);
+  }
+}
+
+void MirrorPacket(float gloss, Vec3 normal, const float* xs, const float* ys, const float* zs,
+                  float* mirror) {
+  const DF df;
+  for (int lane = 0; lane < kPacket; lane += static_cast<int>(hn::Lanes(df))) {
+    const VF x = hn::LoadU(df, xs + lane);
+    const VF y = hn::LoadU(df, ys + lane);
+    const VF z = hn::LoadU(df, zs + lane);
+    const auto dot = [&](VF a, VF b, VF c) {
+      return hn::Add(hn::Add(hn::Mul(x, a), hn::Mul(y, b)), hn::Mul(z, c));
+    };
+    const VF along = dot(hn::Set(df, normal.x), hn::Set(df, normal.y), hn::Set(df, normal.z));
+    const VF facing = hn::Div(hn::Abs(along), hn::Sqrt(dot(x, y, z)));
+    const VF k = hn::Sub(hn::Set(df, 1.0F), facing);
+    const VF k2 = hn::Mul(k, k);
+    const VF fifth = hn::Mul(hn::Mul(hn::Mul(hn::Set(df, 0.96F), k2), k2), k);
+    hn::StoreU(hn::Mul(hn::Set(df, gloss), hn::Add(hn::Set(df, 0.04F), fifth)), df, mirror + lane);
+  }
+}
+
+void AimPacket(const View& view, int left, int top, float* xs, float* ys, float* zs) {
+  const DF df;
+  const DI di;
+  const VF focal = hn::Set(df, view.focal_px);
+  for (int lane = 0; lane < kPacket; lane += static_cast<int>(hn::Lanes(df))) {
+    const VI number = hn::Iota(di, lane);
+    const VI column = hn::Add(hn::Set(di, left), hn::And(number, hn::Set(di, 3)));
+    const VI row = hn::Add(hn::Set(di, top), hn::ShiftRight<2>(number));
+    const VF u = hn::Sub(hn::ConvertTo(df, column), hn::Set(df, view.centre_u_px));
+    const VF v = hn::Sub(hn::ConvertTo(df, row), hn::Set(df, view.centre_v_px));
+    const VF shifted = hn::Add(
+        hn::Add(hn::Add(v, hn::Set(df, view.skew_px)), hn::Mul(hn::Set(df, view.skew_by_u), u)),
+        hn::Mul(hn::Set(df, view.skew_by_v), v));
+    const VF across = hn::Div(u, focal);
+    const VF below = hn::Div(shifted, focal);
+    const auto ray = [&](float forward, float right, float down) {
+      return hn::Add(hn::Add(hn::Set(df, forward), hn::Mul(hn::Set(df, right), across)),
+                     hn::Mul(hn::Set(df, down), below));
+    };
+    hn::StoreU(ray(view.forward.x, view.right.x, view.down.x), df, xs + lane);
+    hn::StoreU(ray(view.forward.y, view.right.y, view.down.y), df, ys + lane);
+    hn::StoreU(ray(view.forward.z, view.right.z, view.down.z), df, zs + lane);
+  }
 }
 
 }  // namespace striate::simulator::render::HWY_NAMESPACE
@@ -138,9 +219,25 @@ HWY_AFTER_NAMESPACE();
 namespace striate::simulator::render {
 
 HWY_EXPORT(SamplePacket);
+HWY_EXPORT(LightPacket);
+HWY_EXPORT(MirrorPacket);
+HWY_EXPORT(AimPacket);
 
 void sample_packet(const PacketTexture& surface, const float* u, const float* v, V4* albedo) {
   HWY_DYNAMIC_DISPATCH(SamplePacket)(surface, u, v, surface.texture->texels(), albedo);
+}
+
+void light_packet(const PacketLight& map, const float* u, const float* v, V4* light) {
+  HWY_DYNAMIC_DISPATCH(LightPacket)(map, u, v, light);
+}
+
+void mirror_packet(float gloss, Vec3 normal, const float* x, const float* y, const float* z,
+                   float* mirror) {
+  HWY_DYNAMIC_DISPATCH(MirrorPacket)(gloss, normal, x, y, z, mirror);
+}
+
+void aim_packet(const View& view, int left, int top, float* x, float* y, float* z) {
+  HWY_DYNAMIC_DISPATCH(AimPacket)(view, left, top, x, y, z);
 }
 
 }  // namespace striate::simulator::render

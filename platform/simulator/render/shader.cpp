@@ -1,29 +1,6 @@
 #include "platform/simulator/render/shader.hpp"
 
-#include "platform/simulator/render/packet_kernels.hpp"
-
 namespace striate::simulator::render {
-namespace {
-
-V4 light_at(const Patch& patch, const V4* texels, float u, float v) {
-  const float x = u * static_cast<float>(patch.light_u - 1);
-  const float y = v * static_cast<float>(patch.light_v - 1);
-  const int i = std::min(static_cast<int>(x), patch.light_u - 2);
-  const int j = std::min(static_cast<int>(y), patch.light_v - 2);
-  const float fx = x - static_cast<float>(i);
-  const float fy = y - static_cast<float>(j);
-  const V4* at = texels + patch.light_at + j * patch.light_u + i;
-  return lerp(lerp(at[0], at[1], fx), lerp(at[patch.light_u], at[patch.light_u + 1], fx), fy);
-}
-
-/// Weight of the mirror image: Schlick's approximation for a polished floor (F0 = 0.04).
-float mirrored(float gloss, float facing) {
-  const float k = 1.0F - facing;
-  return gloss * (0.04F + 0.96F * (k * k) * (k * k) * k);
-}
-
-}  // namespace
-
 Shader::Look Shader::look_at(const Packet& packet, unsigned lane, float spread,
                              float before_m) const {
   Look look;
@@ -32,7 +9,8 @@ Shader::Look Shader::look_at(const Packet& packet, unsigned lane, float spread,
   const Patch& patch = look.person ? people_.patches()[number] : stage_.patches[number];
   look.patch = &patch;
   look.material = &stage_.materials[patch.material];
-  look.light = look.person ? people_.light().data() : baked_.texels.data();
+  const V4* light = look.person ? people_.light().data() : baked_.texels.data();
+  look.light = {light + patch.light_at, patch.light_u, patch.light_v};
   if (stage_.sun && patch.may_see_sun) {
     look.sun = stage_.sun->irradiance * std::max(0.0F, dot(patch.normal, stage_.sun->towards));
   }
@@ -122,11 +100,11 @@ bool Shader::on_one_patch(const Packet& packet) {
   return differs == 0;
 }
 
-/// Light on the lane's place and the mirror image's weight; what the sun adds comes later.
+/// What reaches the eye of the light on the lane's place; what the sun adds comes later.
 void Shader::light_up(const Packet& packet, unsigned lane, const Look& look, Lanes& lanes,
                       Shaded& out) const {
   const Patch& patch = *look.patch;
-  V4 light = light_at(patch, look.light, packet.rays.hit.u[lane], packet.rays.hit.v[lane]);
+  V4 light = lanes.light[lane];
   if (look.sun > 0.0F && light[3] > 0.0F) {
     lanes.sun[lane] = look.sun;
     lanes.normal[lane] = patch.normal;
@@ -135,12 +113,8 @@ void Shader::light_up(const Packet& packet, unsigned lane, const Look& look, Lan
   light *= splat(lanes.people && !look.person
                      ? flicker_ * hidden_by_people(packet.place(lane), patch.normal)
                      : flicker_);
-  float mirror = 0.0F;
-  if (look.material->gloss > 0.0F) {
-    const Vec3 d = packet.direction(lane);
-    mirror = mirrored(look.material->gloss, std::abs(dot(d, patch.normal)) / length(d));
-    lanes.albedo[lane] *= splat(1.0F - mirror);
-  }
+  const float mirror = lanes.mirror[lane];
+  lanes.albedo[lane] *= splat(1.0F - mirror);
   out.colour = lanes.albedo[lane] * light;
   out.colour[3] = mirror;
 }
@@ -155,6 +129,12 @@ void Shader::shade_one_patch(const Packet& packet, const Look& look, Lanes& lane
   const PacketTexture surface{look.material->texture.get(), look.level, look.patch->s,
                               look.patch->t};
   sample_packet(surface, packet.rays.hit.u, packet.rays.hit.v, lanes.albedo.data());
+  light_packet(look.light, packet.rays.hit.u, packet.rays.hit.v, lanes.light.data());
+  if (look.material->gloss > 0.0F) {
+    const RTCRay16& rays = packet.rays.ray;
+    mirror_packet(look.material->gloss, look.patch->normal, rays.dir_x, rays.dir_y, rays.dir_z,
+                  lanes.mirror.data());
+  }
   for (unsigned i = 0; i < Packet::kSize; ++i) light_up(packet, i, look, lanes, out[i]);
 }
 
@@ -170,6 +150,12 @@ void Shader::shade_lane(const Packet& packet, unsigned lane, const Look& look, L
   lanes.albedo[lane] = look.material->texture->sample(*look.level[(lane ^ (lane >> 2U)) & 1U],
                                                       Patch::at(look.patch->s, u, v),
                                                       Patch::at(look.patch->t, u, v));
+  lanes.light[lane] = baked_light_at(look.light, u, v);
+  if (look.material->gloss > 0.0F) {
+    const Vec3 d = packet.direction(lane);
+    const float facing = std::abs(dot(d, look.patch->normal)) / length(d);
+    lanes.mirror[lane] = mirrored(look.material->gloss, facing);
+  }
   light_up(packet, lane, look, lanes, out);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "platform/simulator/render/packet_kernels.hpp"
 #include "platform/simulator/render/people.hpp"
 #include "platform/simulator/render/stage.hpp"
 
@@ -33,7 +34,7 @@ class Shader {
     const Material* material = nullptr;
     /// Two mip levels a little apart, used in turn: no border is seen where the level changes.
     std::array<const Texture::Level*, 2> level{};
-    const V4* light = nullptr;
+    PacketLight light;
     float sun = 0.0F;  ///< irradiance where it shines on the patch
     bool person = false;
   };
@@ -42,6 +43,8 @@ class Shader {
     std::array<float, Packet::kSize> sun{};
     std::array<Vec3, Packet::kSize> normal;  ///< set where the sun is
     std::array<V4, Packet::kSize> albedo;
+    std::array<V4, Packet::kSize> light;
+    std::array<float, Packet::kSize> mirror{};  ///< weight of the mirror image
     bool any_sun = false;
     bool people = false;  ///< any hit may lie in somebody's contact shadow
   };
