@@ -11,7 +11,7 @@ namespace striate::config {
 struct Place {
   int line = 0;
   int column = 0;
-  bool operator==(const Place&) const = default;
+  bool operator==(const Place& other) const { return line == other.line && column == other.column; }
 };
 
 /// One mistake of the user's: what is wrong, where, and how to mend it.

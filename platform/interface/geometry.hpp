@@ -1,9 +1,11 @@
 #pragma once
 
 #include <cmath>
-#include <numbers>
 
 namespace striate {
+
+/// Pi. Not from <numbers>: the interface is read as C++17 too, which ROS 1 still needs.
+inline constexpr double kHalfTurn_rad = 3.14159265358979323846;
 
 /// A point on the floor. Robot frame: x forward, y left.
 struct Point2 {
@@ -19,16 +21,16 @@ struct Pose2 {
 };
 
 [[nodiscard]] constexpr double radians(double degrees) {
-  return degrees * std::numbers::pi / 180.0;
+  return degrees * kHalfTurn_rad / 180.0;
 }
 
 [[nodiscard]] constexpr double degrees(double radians) {
-  return radians * 180.0 / std::numbers::pi;
+  return radians * 180.0 / kHalfTurn_rad;
 }
 
 /// The same angle within [-pi, pi].
 [[nodiscard]] inline double wrap_angle(double angle_rad) {
-  return std::remainder(angle_rad, 2.0 * std::numbers::pi);
+  return std::remainder(angle_rad, 2.0 * kHalfTurn_rad);
 }
 
 /// A point given in the frame of `pose`, in the frame that `pose` is given in.

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "platform/interface/robot.hpp"
+#include "platform/ros/ros_settings.hpp"
+
+namespace striate::ros1 {
+
+/// A ROS bag as a body: the recorded pictures and odometry, one picture pair a cycle, as fast as
+/// they are asked for. Needs no master. Commands go nowhere. Topics of the settings that the bag
+/// does not have are looked for by their type and name ("left", "right").
+class BagRobot final : public Robot {
+ public:
+  /// @throws UserError where the file is no bag, or has no stereo pictures of a known camera; the
+  /// message lists what topics it has.
+  BagRobot(const std::string& file, const RosSettings& settings,
+           const RobotDescription& description = {});
+  ~BagRobot() override;
+
+  [[nodiscard]] const RobotDescription& description() const override;
+  /// The bag's time, from its beginning.
+  [[nodiscard]] const Clock& clock() const override;
+  /// Reads on to the next picture pair; false at the end. @throws std::runtime_error where the bag
+  /// is damaged.
+  bool sense(Senses& senses) override;
+  void send(const MotorCommand&) override {}
+  void stop() noexcept override {}
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace striate::ros1

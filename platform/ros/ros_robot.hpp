@@ -1,0 +1,40 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "platform/interface/robot.hpp"
+#include "platform/ros/ros_settings.hpp"
+
+namespace striate::ros1 {
+
+/// A robot that is only reachable through ROS 1, as a body: pictures, odometry, laser, sonar and
+/// the head's joints come as topics, `cmd_vel` goes out.
+///
+/// Its own gate is the last: while pictures or odometry are silent for longer than `stale`, or a
+/// laser that has spoken is, or the newest command is older than `lease`, zero is published. With
+/// the end of the object, however it ends, zero is published too.
+class RosRobot final : public Robot {
+ public:
+  /// Joins ROS and waits for the first pictures and odometry.
+  /// @throws UserError, std::runtime_error that names the topic on which nothing came.
+  explicit RosRobot(const RosSettings& settings, const RobotDescription& description = {},
+                    Duration patience = std::chrono::seconds(10));
+  ~RosRobot() override;
+
+  [[nodiscard]] const RobotDescription& description() const override;
+  [[nodiscard]] const Clock& clock() const override;
+  /// @throws std::runtime_error when pictures or odometry are silent for longer than `lost`.
+  bool sense(Senses& senses) override;
+  void send(const MotorCommand& command) override;
+  void stop() noexcept override;
+
+  /// Why zero is published in spite of a command; "" where the command drives.
+  [[nodiscard]] std::string hold() const;
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace striate::ros1
