@@ -20,6 +20,13 @@ namespace {
 
 using namespace std::chrono_literals;
 
+/// Pictures in real time: a sanitizer's program is too slow for them.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr bool kTooSlow = true;
+#else
+constexpr bool kTooSlow = false;
+#endif
+
 simulator::World short_world() {
   return simulator::load_world(STRIATE_SOURCE_DIR "/config/worlds/short.yaml");
 }
@@ -100,6 +107,7 @@ void expect_it_stays_so(const ServedRobot& served, pioneer::PioneerRobot& robot)
 }
 
 TEST(ServedDevices, AllSensesComeTheSameWayAsFromARealRobot) {
+  if (kTooSlow) GTEST_SKIP() << "under a sanitizer";
   const ServedRobot served;
   pioneer::PioneerRobot robot(served.settings());
   Senses senses;
@@ -150,6 +158,7 @@ TEST(ServedDevices, ATurretThatIsHeldStopsTheRobot) {
 }
 
 TEST(ServedDevices, TheCorridorMissionIsDrivenThroughTheDriversOfARealRobot) {
+  if (kTooSlow) GTEST_SKIP() << "under a sanitizer";
   const ServedRobot served;
   const TemporaryFolder folder;
   served.write_robot_file(folder / "robot.yaml");
@@ -167,6 +176,7 @@ TEST(ServedDevices, TheCorridorMissionIsDrivenThroughTheDriversOfARealRobot) {
 }
 
 TEST(ServedDevices, TheMissionStandsWhileTheCameraIsBlind) {
+  if (kTooSlow) GTEST_SKIP() << "under a sanitizer";
   const ServedRobot served({}, {.camera_stops_at_s = 9.0});
   const TemporaryFolder folder;
   served.write_robot_file(folder / "robot.yaml");
