@@ -15,8 +15,6 @@ namespace {
 
 constexpr double kStands_m_s = 0.01;
 constexpr double kStands_rad_s = 0.02;
-constexpr double kTrailStep_m = 0.1;
-constexpr std::size_t kTrailPoints = 400;
 
 RobotSettings settings_for(const MissionOptions& options) {
   RobotSettings settings = load_robot_settings(options.robot);
@@ -64,7 +62,9 @@ RunResult Mission::run(const EachCycle& each_cycle) {
       wall_s_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
       ++cycles_;
       one_cycle_on();
-      if (each_cycle(*this)) executive_.interrupt(MissionState::interrupted, "interrupted");
+      const bool asked_to_end = each_cycle(*this);
+      watch_the_judge();
+      if (asked_to_end) executive_.interrupt(MissionState::interrupted, "interrupted");
       if (!goes_on) break;
     }
   } catch (const std::exception& error) {
@@ -80,19 +80,18 @@ void Mission::one_cycle_on() {
       std::abs(odometry.forward_m_s) < kStands_m_s && std::abs(odometry.turn_rad_s) < kStands_rad_s;
   stands_s_ = stands ? stands_s_ + to_seconds(body_->description().cycle) : 0.0;
   longest_stand_s_ = std::max(longest_stand_s_, stands_s_);
-  const Point2 here{odometry.pose.x_m, odometry.pose.y_m};
-  if (trail_.empty() ||
-      std::hypot(here.x_m - trail_.back().x_m, here.y_m - trail_.back().y_m) > kTrailStep_m) {
-    trail_.push_back(here);
-    if (trail_.size() > kTrailPoints) trail_.pop_front();
-  }
-  watch_the_judge();
+  trail_.add(odometry.pose);
 }
 
+/// Ends the task from outside, so after everybody has seen the cycle as it was.
 void Mission::watch_the_judge() {
   if (body_->judge().reached_goal() && goal_is_the_line(executive_.task())) {
     executive_.interrupt(MissionState::succeeded, "beyond the goal line");
   }
+}
+
+GivenVariables Mission::given() const {
+  return course_of(world_);
 }
 
 double Mission::mean_cycle_ms() const {

@@ -11,7 +11,9 @@
 #include "app/cognitive_cycle.hpp"
 #include "app/run_result.hpp"
 #include "app/stopwatch_robot.hpp"
+#include "app/trail.hpp"
 #include "platform/simulator/simulated_pioneer.hpp"
+#include "tasks/task_reader.hpp"
 
 namespace striate {
 
@@ -46,7 +48,11 @@ class Mission {
   [[nodiscard]] const simulator::FloorPlan& plan() const { return plan_; }
   [[nodiscard]] const simulator::PictureSource& light() const { return *pictures_; }
   /// Where the robot believes it has been (odometry frame), oldest first.
-  [[nodiscard]] const std::deque<Point2>& trail() const { return trail_; }
+  [[nodiscard]] const std::deque<Point2>& trail() const { return trail_.points(); }
+  [[nodiscard]] const MissionOptions& options() const { return options_; }
+  [[nodiscard]] const RobotSettings& settings() const { return settings_; }
+  /// What the task was given from outside: how far it is.
+  [[nodiscard]] GivenVariables given() const;
   [[nodiscard]] std::uint64_t cycles() const { return cycles_; }
   [[nodiscard]] double mean_cycle_ms() const;
   [[nodiscard]] double realtime_factor() const;
@@ -65,7 +71,7 @@ class Mission {
   std::unique_ptr<simulator::SimulatedPioneer> body_;
   std::unique_ptr<StopwatchRobot> watched_;
   std::unique_ptr<CognitiveCycle> cycle_;
-  std::deque<Point2> trail_;
+  Trail trail_;
   std::uint64_t cycles_ = 0;
   double stands_s_ = 0.0;
   double longest_stand_s_ = 0.0;

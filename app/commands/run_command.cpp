@@ -11,6 +11,8 @@
 #include "app/mission.hpp"
 #include "app/mission_memory.hpp"
 #include "app/mission_pictures.hpp"
+#include "app/recall/live_memory.hpp"
+#include "app/recording/mission_recorder.hpp"
 #include "app/status_line.hpp"
 
 namespace striate {
@@ -23,6 +25,8 @@ struct RunOptions {
   std::string pictures;
   std::string result;
   std::string memory;
+  std::string record;
+  std::string inspect;
   bool quiet = false;
   bool json = false;
 };
@@ -99,9 +103,13 @@ int run(const RunOptions& given) {
   Mission mission(options.mission);
   MissionPictures pictures(options.pictures, options.picture_every);
   MissionMemory memory(options.memory, options.mission);
+  MissionRecorder recorder(options.record, mission);
+  LiveMemory live(options.inspect);
   StatusLine status(options.quiet || options.json);
   std::string said;
   const RunResult result = mission.run([&](const Mission& running) {
+    recorder.take(running);
+    live.take(running.cycle(), running.executive(), running.cycles());
     pictures.take(running);
     tell_what_is_said(running, said, status);
     memory.take(running);
@@ -109,6 +117,8 @@ int run(const RunOptions& given) {
     return Interrupt::requested();
   });
   status.clear();
+  const std::string recorded = recorder.finish();
+  live.finish();
   memory.finish(mission, result);
   pictures.finish(mission, result);
   const std::string json = to_json(result).dump(2) + "\n";
@@ -117,6 +127,7 @@ int run(const RunOptions& given) {
     fmt::print("{}", json);
   } else if (!options.quiet) {
     print_summary(result, options);
+    if (!recorded.empty()) fmt::print("  recording         {}\n", recorded);
   }
   return exit_code_of(result);
 }
@@ -149,6 +160,11 @@ void add_run_command(CLI::App& app, int& exit_code) {
   command->add_option("--result", options->result, "JSON file for what came of it");
   command->add_option("--memory", options->memory,
                       "the long-term memory that keeps what happens; made where there is none");
+  command->add_option("--record", options->record,
+                      "file for all that is felt and decided, for 'striate replay' and 'recall'");
+  command->add_option("--inspect", options->inspect,
+                      "file that shows once a second what short-term memory holds, for "
+                      "'striate recall'");
   command->add_flag("--quiet", options->quiet, "print nothing");
   command->add_flag("--json", options->json, "print the result as JSON instead of the summary");
   command->callback([options, &exit_code] { exit_code = run(*options); });
