@@ -110,12 +110,13 @@ Pace pace_for(const PaceSettings& settings, const RobotDescription& robot,
   cap(pace, std::max(known, settings.unknown_m_s), "the floor ahead is not seen free");
 
   const Margins margins = margins_of_next(field, way, robot.half_width_m);
-  const auto roomy = [&settings, &robot](double margin_m, double least_m_s) {
-    const double share = std::clamp((margin_m - 0.08) / (settings.roomy_m - 0.08), 0.0, 1.0);
+  const auto roomy = [&robot](double margin_m, double roomy_m, double least_m_s) {
+    const double share = std::clamp((margin_m - 0.08) / (roomy_m - 0.08), 0.0, 1.0);
     return least_m_s + share * (robot.max_forward_m_s - least_m_s);
   };
-  cap(pace, roomy(margins.things_m, settings.narrow_m_s), "it is narrow");
-  cap(pace, roomy(margins.edges_m, settings.unknown_m_s), "little is known beside the way");
+  cap(pace, roomy(margins.things_m, settings.roomy_m, settings.narrow_m_s), "it is narrow");
+  cap(pace, roomy(margins.edges_m, settings.seen_beside_m, settings.unknown_m_s),
+      "little is known beside the way");
 
   const Mover mover = nearest_mover(memory, 0.7);
   pace.mover_m = mover.distance_m;

@@ -15,11 +15,19 @@ constexpr double kRollOut_s = 1.4;
 constexpr double kRollStep_s = 0.1;
 constexpr double kEdgeLook_s = 1.0;
 constexpr double kSqueezed_m = 0.10;
+constexpr double kRoomBefore_m = 0.15;
 constexpr std::array<double, 11> kTurnOffsets{0.0,  0.08, -0.08, 0.18, -0.18, 0.3,
                                               -0.3, 0.5,  -0.5,  0.8,  -0.8};
 constexpr std::array<double, 3> kSpeedShares{1.0, 0.6, 0.3};
 
 }  // namespace
+
+// What stands near is measured a hand's breadth too far: the camera looks over the feet and sees the
+// trunk. Beside the robot the room was measured from farther off, before it came alongside.
+RobotDescription Steering::with_room_before(RobotDescription robot) {
+  robot.front_m += kRoomBefore_m;
+  return robot;
+}
 
 Point2 Steering::point_at(const Way& way, double length_m) {
   double left_m = length_m;

@@ -18,7 +18,7 @@ struct Drive {
 class Steering {
  public:
   Steering(const RobotDescription& robot, double wanted_clearance_m)
-      : robot_(robot), footprint_(robot), wanted_clearance_m_(wanted_clearance_m) {}
+      : robot_(robot), footprint_(with_room_before(robot)), wanted_clearance_m_(wanted_clearance_m) {}
 
   /// `speed_m_s`: as fast as anything else allows. `least_clearance_m`: nearer than this only
   /// where the robot already is so near, and only on arcs that lead away.
@@ -40,6 +40,7 @@ class Steering {
     double forward_m_s;
     double turn_rad_s;
   };
+  [[nodiscard]] static RobotDescription with_room_before(RobotDescription robot);
   [[nodiscard]] double roll_out(const FloorField& field, const Pose2& robot,
                                 const Candidate& candidate, double least_clearance_m) const;
   [[nodiscard]] Drive turn_in_place(double angle_rad, const FloorField& field, const Pose2& robot,

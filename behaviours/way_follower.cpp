@@ -14,7 +14,8 @@ constexpr double kGlanceDown_rad = -0.42;
 constexpr double kLookSweep_s = 4.0;
 constexpr double kSweep_rad = 0.9;
 constexpr double kHeadTurn_rad = 0.6;
-constexpr double kHeadDriving_rad = 0.25;  // where the robot goes stays in the 43 degree view
+// Both flanks of the robot's lane, a metre on, stay in the 43 degree view: 0.375 - atan(0.21 m / 1 m).
+constexpr double kHeadDriving_rad = 0.16;
 constexpr double kMoverPatience_s = 6.0;
 constexpr double kImpossible_s = 0.6;
 constexpr double kForgivenAfter_m = 1.0;  // headway that makes old troubles forgotten

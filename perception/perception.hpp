@@ -15,25 +15,14 @@
 
 namespace striate {
 
-/// Without what the default of StereoSettings has gained since: the trials in the README were
-/// driven with it.
-[[nodiscard]] inline StereoSettings driven_stereo() {
-  StereoSettings stereo;
-  stereo.robust.confidence = StereoConfidence::score;
-  stereo.robust.least_confidence = 0.3;
-  stereo.robust.fill_gap_px = 0;
-  stereo.robust.fine_greys = false;
-  return stereo;
-}
-
 struct PerceptionSettings {
   /// Its `setting` also chooses how obstacles are found; its `width` is the working size of
   /// everything but keypoints.
-  StereoSettings stereo = driven_stereo();
+  StereoSettings stereo;
   ObstacleSettings obstacles;
   MotionSettings motion;
   CorridorSettings corridor;
-  /// The paper's in the cycle: a third of the robust one's time; the runs were driven with it.
+  /// The paper's in the cycle: a third of the robust one's time, and nothing drives by it.
   SaliencySettings saliency{.setting = SaliencySetting::paper};
   KeypointSettings keypoints;
   int keypoints_every = 5;  ///< pictures; in between the percept has no keypoints; 0: never
