@@ -10,7 +10,7 @@ namespace striate {
 
 /// How fast is fast enough to be safe. Ours.
 struct PaceSettings {
-  double unknown_m_s = 0.20;
+  double unknown_m_s = 0.25;
   double narrow_m_s = 0.15;
   double roomy_m = 0.35;
   double seen_beside_m = 0.25;
