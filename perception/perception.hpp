@@ -10,6 +10,7 @@
 #include "perception/obstacles/obstacles.hpp"
 #include "perception/percept.hpp"
 #include "perception/saliency/saliency.hpp"
+#include "perception/stereo/disparity_source.hpp"
 #include "perception/stereo/stereo_matcher.hpp"
 #include "platform/interface/robot.hpp"
 
@@ -58,6 +59,9 @@ class Perception {
   /// found to move.
   [[nodiscard]] Percept see(const StereoFrame& frame, const std::optional<Pose2>& base = {});
 
+  /// From now on the disparities are `source`'s, which must live as long; for baselines.
+  void take_disparities_from(DisparitySource& source) { other_disparities_ = &source; }
+
  private:
   void match(const StereoFrame& frame, const cv::Mat1b& left, DisparityMap& disparity);
   void measure_depth(const StereoFrame& frame, const cv::Mat1b& left, Percept& percept);
@@ -68,6 +72,7 @@ class Perception {
   KeypointFinder keypoint_finder_;
   SaliencyFinder saliency_finder_;
   MotionFinder motion_finder_;
+  DisparitySource* other_disparities_ = nullptr;
   std::int64_t pictures_ = 0;
 };
 
