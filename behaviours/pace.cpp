@@ -16,6 +16,7 @@ constexpr double kLook_m = 3.0;
 constexpr double kNear_m = 2.0;
 constexpr double kUnknownRun_m = 0.35;  // so much unknown in a row ends what is known free
 constexpr float kMoves = 0.36F;
+constexpr double kCreep_m_s = 0.10;
 constexpr double kEdgeTrust_m = 0.10;
 
 bool seen_free(const FloorField& field, Point2 middle, double ux, double uy) {
@@ -146,8 +147,10 @@ Pace pace_for(const PaceSettings& settings, const RobotDescription& robot,
   const double apart = (mover.distance_m - settings.moving_stop_m) /
                        (settings.moving_slow_m - settings.moving_stop_m);
   if (apart < 1.0) {
-    cap(pace, std::max(0.0, apart) * robot.max_forward_m_s * 0.6, "something moves ahead");
     pace.waits_for_mover = apart <= 0.0;
+    // Between standing and the first speed that gets anywhere there is nothing.
+    const double slowed_m_s = std::max(kCreep_m_s, apart * robot.max_forward_m_s * 0.6);
+    cap(pace, pace.waits_for_mover ? 0.0 : slowed_m_s, "something moves ahead");
   }
   return pace;
 }

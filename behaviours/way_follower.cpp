@@ -17,7 +17,7 @@ constexpr double kHeadTurn_rad = 0.6;
 // Both flanks of the robot's lane, a metre on, stay in the 43 degree view: 0.375 - atan(0.21 m / 1
 // m).
 constexpr double kHeadDriving_rad = 0.16;
-constexpr double kMoverPatience_s = 6.0;
+constexpr double kMoverPatience_s = 5.0;
 constexpr double kStillPatience_s = 1.0;
 constexpr double kWaitLane_m = 1.2;
 constexpr double kImpossible_s = 0.6;
