@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
+
 #include "tests/scenarios/striate_process.hpp"
 
 namespace striate::scenarios {
