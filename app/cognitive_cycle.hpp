@@ -32,6 +32,9 @@ class CognitiveCycle {
   /// One cycle; false when the body has ended or the mission is over.
   bool step();
 
+  /// A baseline's disparities instead of Striate's own stereo; `source` must live as long.
+  void see_with(DisparitySource& source) { perception_.take_disparities_from(source); }
+
   [[nodiscard]] const CycleTrace& trace() const { return trace_; }
   [[nodiscard]] const ShortTermMemory& memory() const { return memory_; }
   [[nodiscard]] const SafetyLimiter& limiter() const { return limiter_; }

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <exception>
 
-#include "app/renderer_pictures.hpp"
+#include "app/baselines/baseline.hpp"
 #include "platform/simulator/world_reader.hpp"
 #include "tasks/task_reader.hpp"
 
@@ -23,6 +23,7 @@ RobotSettings settings_for(const MissionOptions& options) {
   if (!options.emergency_layer) settings.safety.emergency_layer = false;
   // The goal line ends the task, not the body: `finally` is still to be run.
   settings.simulator.judge.ends_at_goal = false;
+  apply_baseline(baseline_named(options.baseline), settings.perception);
   return settings;
 }
 
@@ -41,6 +42,14 @@ bool goal_is_the_line(const Task& task) {
   return std::find(task.variables.begin(), task.variables.end(), "way") != task.variables.end();
 }
 
+/// Only the baseline `truth` has pictures that know their depth.
+std::unique_ptr<TrueDepthPictures> with_depth(Baseline baseline, RendererPictures& pictures,
+                                              const RobotSettings& settings) {
+  if (baseline != Baseline::truth) return nullptr;
+  return std::make_unique<TrueDepthPictures>(pictures, pictures.renderer(),
+                                             settings.perception.stereo.width);
+}
+
 }  // namespace
 
 Mission::Mission(const MissionOptions& options)
@@ -51,10 +60,17 @@ Mission::Mission(const MissionOptions& options)
       executive_(load_task(options.task, RobotDescription{}, course_of(world_),
                            options.landmarks ? &*options.landmarks : nullptr)),
       pictures_(std::make_unique<RendererPictures>(world_, plan_, settings_.camera, options.seed)),
-      body_(std::make_unique<simulator::SimulatedPioneer>(world_, options.seed, settings_.simulator,
-                                                          pictures_.get())),
+      true_pictures_(with_depth(baseline_named(options.baseline), *pictures_, settings_)),
+      disparities_(disparities_of(baseline_named(options.baseline), settings_.perception,
+                                  true_pictures_.get())),
+      body_(std::make_unique<simulator::SimulatedPioneer>(
+          world_, options.seed, settings_.simulator,
+          true_pictures_ ? static_cast<simulator::PictureSource*>(true_pictures_.get())
+                         : pictures_.get())),
       watched_(std::make_unique<StopwatchRobot>(*body_)),
-      cycle_(std::make_unique<CognitiveCycle>(*watched_, settings_, executive_)) {}
+      cycle_(std::make_unique<CognitiveCycle>(*watched_, settings_, executive_)) {
+  if (disparities_) cycle_->see_with(*disparities_);
+}
 
 RunResult Mission::run(const EachCycle& each_cycle) {
   try {
@@ -146,6 +162,7 @@ RunResult Mission::result() const {
   result.seed = options_.seed;
   result.world = options_.world;
   result.task = options_.task;
+  result.baseline = options_.baseline;
   result.emergency_layer = settings_.safety.emergency_layer;
   return result;
 }

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "app/baselines/true_depth_pictures.hpp"
 #include "app/cognitive_cycle.hpp"
 #include "app/run_result.hpp"
 #include "app/stopwatch_robot.hpp"
@@ -22,6 +23,7 @@ struct MissionOptions {
   std::string robot;  ///< settings file; empty: the built-in defaults
   std::uint64_t seed = 1;
   bool emergency_layer = true;
+  std::string baseline;  ///< whose disparities: paper, sgbm, truth; empty: Striate's own
   /// Names that the memory knows, for `needs: {landmarks: ...}`; none: there is no memory.
   std::optional<std::vector<std::string>> landmarks;
 };
@@ -61,7 +63,9 @@ class Mission {
   simulator::World world_;
   simulator::FloorPlan plan_;
   Executive executive_;
-  std::unique_ptr<simulator::PictureSource> pictures_;
+  std::unique_ptr<RendererPictures> pictures_;
+  std::unique_ptr<TrueDepthPictures> true_pictures_;  ///< of the baseline `truth`, else null
+  std::unique_ptr<DisparitySource> disparities_;      ///< of a baseline, else null
   std::unique_ptr<simulator::SimulatedPioneer> body_;
   std::unique_ptr<StopwatchRobot> watched_;
   std::unique_ptr<CognitiveCycle> cycle_;

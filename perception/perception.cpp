@@ -36,7 +36,9 @@ Perception::Perception(const PerceptionSettings& settings, const RobotDescriptio
 
 void Perception::match(const StereoFrame& frame, const Greys& greys, DisparityMap& disparity) {
   const int width = settings_.stereo.width;
-  if (settings_.stereo.wants_fine_greys()) {
+  if (other_disparities_ != nullptr) {
+    other_disparities_->measure(frame, disparity);
+  } else if (settings_.stereo.wants_fine_greys()) {
     matcher_.match(to_fine_working_size(greys.whole, width),
                    to_fine_working_size(frame.right, width), disparity);
   } else {

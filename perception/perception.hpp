@@ -10,30 +10,20 @@
 #include "perception/obstacles/obstacles.hpp"
 #include "perception/percept.hpp"
 #include "perception/saliency/saliency.hpp"
+#include "perception/stereo/disparity_source.hpp"
 #include "perception/stereo/stereo_matcher.hpp"
 #include "platform/interface/robot.hpp"
 
 namespace striate {
 
-/// Without what the default of StereoSettings has gained since: the trials in the README were
-/// driven with it.
-[[nodiscard]] inline StereoSettings driven_stereo() {
-  StereoSettings stereo;
-  stereo.robust.confidence = StereoConfidence::score;
-  stereo.robust.least_confidence = 0.3;
-  stereo.robust.fill_gap_px = 0;
-  stereo.robust.fine_greys = false;
-  return stereo;
-}
-
 struct PerceptionSettings {
   /// Its `setting` also chooses how obstacles are found; its `width` is the working size of
   /// everything but keypoints.
-  StereoSettings stereo = driven_stereo();
+  StereoSettings stereo;
   ObstacleSettings obstacles;
   MotionSettings motion;
   CorridorSettings corridor;
-  /// The paper's in the cycle: a third of the robust one's time; the runs were driven with it.
+  /// The paper's in the cycle: a third of the robust one's time, and nothing drives by it.
   SaliencySettings saliency{.setting = SaliencySetting::paper};
   KeypointSettings keypoints;
   /// Pictures; in between the percept has no keypoints; 0: never. Nothing in the cycle reads them:
@@ -71,6 +61,9 @@ class Perception {
   /// found to move.
   [[nodiscard]] Percept see(const StereoFrame& frame, const std::optional<Pose2>& base = {});
 
+  /// From now on the disparities are `source`'s, which must live as long; for baselines.
+  void take_disparities_from(DisparitySource& source) { other_disparities_ = &source; }
+
  private:
   /// The left picture in grey, as it came and at the working size.
   struct Greys {
@@ -86,6 +79,7 @@ class Perception {
   KeypointFinder keypoint_finder_;
   SaliencyFinder saliency_finder_;
   MotionFinder motion_finder_;
+  DisparitySource* other_disparities_ = nullptr;
   std::int64_t pictures_ = 0;
 };
 

@@ -149,6 +149,8 @@ void add_run_command(CLI::App& app, int& exit_code) {
   command->add_option("--result", options->result, "JSON file for what came of it");
   command->add_option("--memory", options->memory,
                       "the long-term memory that keeps what happens; made where there is none");
+  command->add_option("--baseline", options->mission.baseline,
+                      "drive by other disparities: paper, sgbm (OpenCV's) or truth");
   command->add_flag("--quiet", options->quiet, "print nothing");
   command->add_flag("--json", options->json, "print the result as JSON instead of the summary");
   command->callback([options, &exit_code] { exit_code = run(*options); });

@@ -73,6 +73,9 @@ void add_trial_command(CLI::App& app, int& exit_code) {
                       "i/n: only every n-th run, for n machines; 'striate trial merge' joins them");
   command->add_flag("--no-emergency", *no_emergency,
                     "sonar and laser do nothing: vision alone keeps the robot from touching");
+  command->add_option("--baseline", options->baseline,
+                      "the same behaviours fed with other disparities: paper, sgbm (OpenCV's) or "
+                      "truth; 'striate trial merge' puts them beside Striate's own");
   command->add_flag("--quiet", options->quiet, "no progress bar");
   command->require_subcommand(0, 1);
   add_merge(*command, exit_code);
