@@ -26,8 +26,10 @@ struct PerceptionSettings {
   /// The paper's in the cycle: a third of the robust one's time, and nothing drives by it.
   SaliencySettings saliency{.setting = SaliencySetting::paper};
   KeypointSettings keypoints;
-  int keypoints_every = 5;  ///< pictures; in between the percept has no keypoints; 0: never
-  int saliency_every = 1;   ///< pictures; in between the percept has no saliency
+  /// Pictures; in between the percept has no keypoints; 0: never. Nothing in the cycle reads them:
+  /// recognition finds its own, with Striate's descriptor.
+  int keypoints_every = 0;
+  int saliency_every = 1;  ///< pictures; in between the percept has no saliency
 };
 
 template <class V>
@@ -63,8 +65,13 @@ class Perception {
   void take_disparities_from(DisparitySource& source) { other_disparities_ = &source; }
 
  private:
-  void match(const StereoFrame& frame, const cv::Mat1b& left, DisparityMap& disparity);
-  void measure_depth(const StereoFrame& frame, const cv::Mat1b& left, Percept& percept);
+  /// The left picture in grey, as it came and at the working size.
+  struct Greys {
+    const cv::Mat1b& whole;
+    const cv::Mat1b& small;
+  };
+  void match(const StereoFrame& frame, const Greys& greys, DisparityMap& disparity);
+  void measure_depth(const StereoFrame& frame, const Greys& greys, Percept& percept);
 
   PerceptionSettings settings_;
   RobotDescription robot_;
