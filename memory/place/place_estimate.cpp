@@ -46,6 +46,12 @@ void PlaceEstimate::know(std::int64_t landmark, const std::optional<MapPosition>
   PlacedLandmark one;
   one.landmark = landmark;
   one.known = place;
+  if (place) {
+    // The filter is not told how the errors of known places hang together, and each has the error
+    // of its middle in common with all its looks: without this it becomes surer than it is.
+    one.known->var_x_m2 += settings_.middle_error_m * settings_.middle_error_m;
+    one.known->var_y_m2 += settings_.middle_error_m * settings_.middle_error_m;
+  }
   landmarks_.push_back(one);
   if (!place) return;
   map_is_known_ = true;
