@@ -54,7 +54,9 @@ Mission::Mission(const MissionOptions& options)
       body_(std::make_unique<simulator::SimulatedPioneer>(world_, options.seed, settings_.simulator,
                                                           pictures_.get())),
       watched_(std::make_unique<StopwatchRobot>(*body_)),
-      cycle_(std::make_unique<CognitiveCycle>(*watched_, settings_, executive_)) {}
+      cycle_(std::make_unique<CognitiveCycle>(*watched_, settings_, executive_)) {
+  if (options.places) cycle_->know_places(*options.places);
+}
 
 RunResult Mission::run(const EachCycle& each_cycle) {
   try {

@@ -165,11 +165,11 @@ std::int64_t PlaceMemory::last_station() const {
   return last_.landmark != 0 ? last_.landmark : nearest_station(estimate_.pose());
 }
 
-Way PlaceMemory::way_to(std::int64_t landmark) const {
+RoutePlan PlaceMemory::way_to(std::int64_t landmark) const {
   return routes_.way_to(last_station(), landmark);
 }
 
-Way PlaceMemory::way_home() const {
+RoutePlan PlaceMemory::way_home() const {
   if (!active_ || !started_) return {};
   return routes_.way_to(last_station(), nearest_station(estimate_.start()));
 }

@@ -71,9 +71,9 @@ class PlaceMemory {
   /// The landmark passed last, or else the nearest with a place; 0: none.
   [[nodiscard]] std::int64_t last_station() const;
   /// From the last station to a landmark, over what was driven before.
-  [[nodiscard]] Way way_to(std::int64_t landmark) const;
+  [[nodiscard]] RoutePlan way_to(std::int64_t landmark) const;
   /// From the last station to the landmark nearest to where this run started.
-  [[nodiscard]] Way way_home() const;
+  [[nodiscard]] RoutePlan way_home() const;
 
   /// What is new since the last call. @param operating_s stamp of the obstacle cells
   [[nodiscard]] PlaceNews take_news(double operating_s);

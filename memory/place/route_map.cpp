@@ -94,8 +94,8 @@ void RouteMap::failed(std::int64_t from, std::int64_t to) {
   }
 }
 
-Way RouteMap::way_to(std::int64_t from, std::int64_t to) const {
-  Way way;
+RoutePlan RouteMap::way_to(std::int64_t from, std::int64_t to) const {
+  RoutePlan way;
   const int start = station_of(from);
   const int goal = station_of(to);
   if (from == to && from != 0) way.found = true;
@@ -132,7 +132,7 @@ Way RouteMap::way_to(std::int64_t from, std::int64_t to) const {
     }
   }
   for (int station = goal; station != start; station = at(station).before) {
-    if (at(station).before < 0 || way.size == Way::kMost) return {};
+    if (at(station).before < 0 || way.size == RoutePlan::kMost) return {};
     const Route& route = routes_[static_cast<std::size_t>(at(station).route)];
     const bool backwards = at(station).backwards;
     way.steps[way.size++] = {backwards ? route.from : route.to, route.distance_m,

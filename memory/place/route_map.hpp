@@ -11,7 +11,7 @@
 namespace striate {
 
 /// One stretch of a planned way, as it was driven before.
-struct WayStep {
+struct RouteStep {
   std::int64_t landmark = 0;  ///< where it ends
   double distance_m = 0.0;    ///< expected
   double distance_sigma_m = 0.0;
@@ -20,14 +20,14 @@ struct WayStep {
 };
 
 /// A way over landmarks, in fixed memory.
-struct Way {
+struct RoutePlan {
   static constexpr std::size_t kMost = 64;
   bool found = false;
-  std::array<WayStep, kMost> steps{};
+  std::array<RouteStep, kMost> steps{};
   std::size_t size = 0;
   double distance_m = 0.0;
 
-  [[nodiscard]] std::span<const WayStep> all() const { return {steps.data(), size}; }
+  [[nodiscard]] std::span<const RouteStep> all() const { return {steps.data(), size}; }
 };
 
 /// The ways from landmark to landmark that were driven, of earlier missions and of this one: a
@@ -47,7 +47,7 @@ class RouteMap {
   void failed(std::int64_t from, std::int64_t to);
 
   /// The cheapest way (Dijkstra), without allocation. From a landmark to itself: found, no steps.
-  [[nodiscard]] Way way_to(std::int64_t from, std::int64_t to) const;
+  [[nodiscard]] RoutePlan way_to(std::int64_t from, std::int64_t to) const;
   /// Whether a known stretch begins or ends there.
   [[nodiscard]] bool has(std::int64_t landmark) const { return station_of(landmark) >= 0; }
   [[nodiscard]] const Route* find(std::int64_t from, std::int64_t to) const;

@@ -91,11 +91,11 @@ TEST(PlaceRoundTrip, LearnsTheWayThereAndBack) {
   driver.drive();
   RouteMap routes;
   routes.know(driver.known().routes);
-  const Way there = routes.way_to(1, 15);
+  const RoutePlan there = routes.way_to(1, 15);
   ASSERT_TRUE(there.found);
   const double straight_m = std::abs(driver.truth()[14].x_m - driver.truth()[0].x_m);
   EXPECT_NEAR(there.distance_m, straight_m, 0.1 * straight_m);
-  const Way back = routes.way_to(15, 1);
+  const RoutePlan back = routes.way_to(15, 1);
   ASSERT_TRUE(back.found);
   EXPECT_NEAR(back.distance_m, straight_m, 0.1 * straight_m);
 }

@@ -7,7 +7,7 @@
 namespace striate {
 namespace {
 
-std::vector<std::int64_t> stations_of(const Way& way) {
+std::vector<std::int64_t> stations_of(const RoutePlan& way) {
   std::vector<std::int64_t> stations;
   for (const WayStep& step : way.all()) stations.push_back(step.landmark);
   return stations;
@@ -17,7 +17,7 @@ TEST(RouteMap, TheWayLeadsOverWhatWasDriven) {
   RouteMap routes;
   routes.driven(1, 2, 5.0, 0.1);
   routes.driven(2, 3, 7.0, std::numbers::pi / 2.0);
-  const Way way = routes.way_to(1, 3);
+  const RoutePlan way = routes.way_to(1, 3);
   ASSERT_TRUE(way.found);
   EXPECT_EQ(stations_of(way), (std::vector<std::int64_t>{2, 3}));
   EXPECT_DOUBLE_EQ(way.distance_m, 12.0);
@@ -30,7 +30,7 @@ TEST(RouteMap, BackIsTheSameWayWithTheTurnsTheOtherWayRound) {
   RouteMap routes;
   routes.driven(1, 2, 5.0, 0.0);
   routes.driven(2, 3, 7.0, 1.0);
-  const Way way = routes.way_to(3, 1);
+  const RoutePlan way = routes.way_to(3, 1);
   ASSERT_TRUE(way.found);
   EXPECT_EQ(stations_of(way), (std::vector<std::int64_t>{2, 1}));
   EXPECT_DOUBLE_EQ(way.steps[0].turn_rad, -1.0);
@@ -77,7 +77,7 @@ TEST(RouteMap, WhatDoesNotFitIsLeftOut) {
   for (std::int64_t k = 1; k < 2000; ++k) routes.driven(k, k + 1, 1.0, 0.0);
   EXPECT_EQ(routes.all().size(), RouteMap::kStations - 1);
   EXPECT_FALSE(routes.way_to(1, 1500).found);
-  EXPECT_FALSE(routes.way_to(1, 200).found) << "more than a Way holds";
+  EXPECT_FALSE(routes.way_to(1, 200).found) << "more than a RoutePlan holds";
   EXPECT_TRUE(routes.way_to(1, 60).found);
 }
 
