@@ -29,6 +29,15 @@ class CognitiveCycle {
   CognitiveCycle(const CognitiveCycle&) = delete;
   CognitiveCycle& operator=(const CognitiveCycle&) = delete;
 
+  /// What is known of places. Before the first step; without it no place is estimated.
+  void know_places(const PlaceKnowledge& knowledge) { memory_.know_places(knowledge); }
+  /// What is new about places. @param operating_s operating time now
+  [[nodiscard]] PlaceNews take_place_news(double operating_s) {
+    return memory_.take_place_news(operating_s);
+  }
+  /// After the last step. @param failed whether the mission did
+  void close_places(bool failed) { memory_.close_places(failed); }
+
   /// One cycle; false when the body has ended or the mission is over.
   bool step();
 

@@ -70,6 +70,7 @@ Mission::Mission(const MissionOptions& options)
       watched_(std::make_unique<StopwatchRobot>(*body_)),
       cycle_(std::make_unique<CognitiveCycle>(*watched_, settings_, executive_)) {
   if (disparities_) cycle_->see_with(*disparities_);
+  if (options.places) cycle_->know_places(*options.places);
 }
 
 RunResult Mission::run(const EachCycle& each_cycle) {

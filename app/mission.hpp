@@ -26,6 +26,8 @@ struct MissionOptions {
   std::string baseline;  ///< whose disparities: paper, sgbm, truth; empty: Striate's own
   /// Names that the memory knows, for `needs: {landmarks: ...}`; none: there is no memory.
   std::optional<std::vector<std::string>> landmarks;
+  /// What it knows of places; none: there is no memory.
+  std::optional<PlaceKnowledge> places;
 };
 
 /// One run of a task in a simulated world: the body, the mind, and the judge that watches.
@@ -42,6 +44,7 @@ class Mission {
   RunResult run(const EachCycle& each_cycle);
 
   [[nodiscard]] const CognitiveCycle& cycle() const { return *cycle_; }
+  [[nodiscard]] CognitiveCycle& cycle() { return *cycle_; }
   [[nodiscard]] const Executive& executive() const { return executive_; }
   [[nodiscard]] const simulator::SimulatedPioneer& body() const { return *body_; }
   [[nodiscard]] const simulator::World& world() const { return world_; }

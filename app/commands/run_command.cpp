@@ -12,6 +12,7 @@
 #include "app/mission_memory.hpp"
 #include "app/mission_pictures.hpp"
 #include "app/status_line.hpp"
+#include "memory/place/place_keeping.hpp"
 
 namespace striate {
 namespace {
@@ -80,19 +81,18 @@ int exit_code_of(const RunResult& result) {
 }
 
 /// What the memory knows before the mission; nothing where it is still to be made.
-std::vector<std::string> names_in(const std::string& memory) {
-  std::vector<std::string> names;
-  if (!std::filesystem::exists(memory)) return names;
+void look_up(const std::string& memory, MissionOptions& mission) {
+  mission.landmarks.emplace();
+  mission.places.emplace();
+  if (!std::filesystem::exists(memory)) return;
   with_memory(memory, Access::read, "looking up its landmarks",
-              [&](MemoryTables& tables, MemoryFile&) {
-                for (const Landmark& one : tables.landmarks.all(false)) names.push_back(one.name);
-              });
-  return names;
+              [&](MemoryTables& tables, MemoryFile&) { mission.places = read_places(tables); });
+  for (const Landmark& one : mission.places->landmarks) mission.landmarks->push_back(one.name);
 }
 
 int run(const RunOptions& given) {
   RunOptions options = given;
-  if (!options.memory.empty()) options.mission.landmarks = names_in(options.memory);
+  if (!options.memory.empty()) look_up(options.memory, options.mission);
   options.mission.emergency_layer = !options.no_emergency;
   if (!options.result.empty()) check_writable(options.result);
   const Interrupt interrupt;
@@ -104,7 +104,7 @@ int run(const RunOptions& given) {
   const RunResult result = mission.run([&](const Mission& running) {
     pictures.take(running);
     tell_what_is_said(running, said, status);
-    memory.take(running);
+    memory.take(mission);
     if (status.due()) status.show(status_text(running));
     return Interrupt::requested();
   });
