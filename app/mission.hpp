@@ -6,7 +6,6 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "app/cognitive_cycle.hpp"
 #include "app/run_result.hpp"
@@ -22,8 +21,10 @@ struct MissionOptions {
   std::string robot;  ///< settings file; empty: the built-in defaults
   std::uint64_t seed = 1;
   bool emergency_layer = true;
-  /// Names that the memory knows, for `needs: {landmarks: ...}`; none: there is no memory.
-  std::optional<std::vector<std::string>> landmarks;
+  /// Along the corridor, left of its middle, heading; none: the world's own start.
+  std::optional<Pose2> start;
+  /// What the long-term memory knows; none: there is no memory.
+  std::optional<LandmarkKnowledge> knowledge;
 };
 
 /// One run of a task in a simulated world: the body, the mind, and the judge that watches.

@@ -2,8 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "app/memory/open_memory.hpp"
 #include "config/user_error.hpp"
+#include "memory/long_term/learning.hpp"
 
 namespace striate {
 namespace {
@@ -14,6 +17,7 @@ constexpr double kNoteTimeEvery_s = 60.0;  ///< what a crash may lose of the ope
 
 MissionMemory::MissionMemory(const std::string& file, const MissionOptions& mission) {
   if (file.empty()) return;
+  settings_ = load_robot_settings(mission.robot).long_term_memory;
   const MemoryOptions options = memory_options(Access::session, "striate run");
   writer_ = std::make_unique<MemoryWriter>(file, options);
   print_notices(writer_->notices());
@@ -33,6 +37,7 @@ MissionMemory::MissionMemory(const std::string& file, const MissionOptions& miss
 
 void MissionMemory::take(const Mission& mission) {
   if (writer_ == nullptr) return;
+  keep_lessons(mission);
   const auto& collisions = mission.body().judge().collisions();
   for (; collisions_ < collisions.size(); ++collisions_) {
     const std::string& hit = collisions[collisions_].hit;
@@ -53,6 +58,27 @@ void MissionMemory::take(const Mission& mission) {
   noted_s_ = now_s;
   writer_->post(
       [id = session_.id, now_s](MemoryTables& tables) { tables.sessions.note_time(id, now_s); });
+}
+
+void MissionMemory::keep_lessons(const Mission& mission) {
+  for (const LandmarkLesson& lesson : mission.cycle().trace().lessons) {
+    const bool seen = lesson.kind == LandmarkLesson::Kind::recognised;
+    Episode episode = episode_now(mission, seen ? "recognised" : "missed", "");
+    episode.landmark = lesson.name;
+    episode.text = !seen ? "not seen where it was expected"
+                   : std::isfinite(lesson.distance_m)
+                       ? fmt::format("{:.1f} m away, {:+.0f} deg", lesson.distance_m,
+                                     degrees(lesson.bearing_rad))
+                       : fmt::format("at {:+.0f} deg", degrees(lesson.bearing_rad));
+    writer_->post([episode, seen, settings = settings_](MemoryTables& tables) {
+      if (seen) {
+        keep_sighting(tables, episode.landmark, episode.time_s, settings);
+      } else {
+        keep_miss(tables, episode.landmark, settings);
+      }
+      tables.sessions.add(episode);
+    });
+  }
 }
 
 void MissionMemory::finish(const Mission& mission, const RunResult& result) {

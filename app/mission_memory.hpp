@@ -22,6 +22,8 @@ class MissionMemory {
   void finish(const Mission& mission, const RunResult& result);
 
  private:
+  /// What looks have taught: landmarks grow stronger or weaker.
+  void keep_lessons(const Mission& mission);
   /// Keeps an episode if it is news. @param about what it is about: the same again is none.
   void note(const Mission& mission, const std::string& kind, const std::string& about,
             const std::string& text);
@@ -30,6 +32,7 @@ class MissionMemory {
 
   std::unique_ptr<MemoryWriter> writer_;
   Session session_;
+  LongTermSettings settings_;
   EpisodeGate gate_;
   double noted_s_ = 0.0;
   std::size_t collisions_ = 0;

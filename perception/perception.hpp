@@ -9,6 +9,7 @@
 #include "perception/motion/motion.hpp"
 #include "perception/obstacles/obstacles.hpp"
 #include "perception/percept.hpp"
+#include "perception/recognition/landmark_finder.hpp"
 #include "perception/saliency/saliency.hpp"
 #include "perception/stereo/stereo_matcher.hpp"
 #include "platform/interface/robot.hpp"
@@ -36,6 +37,7 @@ struct PerceptionSettings {
   /// The paper's in the cycle: a third of the robust one's time; the runs were driven with it.
   SaliencySettings saliency{.setting = SaliencySetting::paper};
   KeypointSettings keypoints;
+  LandmarkFinderSettings recognition;
   int keypoints_every = 5;  ///< pictures; in between the percept has no keypoints; 0: never
   int saliency_every = 1;   ///< pictures; in between the percept has no saliency
 };
@@ -48,14 +50,16 @@ void visit(V& v, PerceptionSettings& s) {
   v.section("corridor", s.corridor);
   v.section("saliency", s.saliency);
   v.section("keypoints", s.keypoints);
+  v.section("recognition", s.recognition);
   v.integer("saliency_every", s.saliency_every, {1, 100}, "saliency in every n-th picture");
   v.integer("keypoints_every", s.keypoints_every, {0, 100},
             "keypoints in every n-th picture; 0: never");
 }
 
-/// All of seeing: one picture pair in, one percept out. Holds no memory of earlier pictures but
-/// their count (and copies of the last ones where `saliency.motion_weight` is not zero or `motion`
-/// is on), so the same pictures in the same order always give the same percepts.
+/// All of seeing: one picture pair in, one percept out. What landmarks look like is handed in by
+/// who remembers them (`landmarks()`). Holds no memory of earlier pictures but their count (and
+/// copies of the last ones where `saliency.motion_weight` is not zero or `motion` is on), so the
+/// same pictures in the same order always give the same percepts.
 class Perception {
  public:
   /// Throws UserError for settings out of range.
@@ -69,6 +73,9 @@ class Perception {
   /// found to move.
   [[nodiscard]] Percept see(const StereoFrame& frame, const std::optional<Pose2>& base = {});
 
+  /// Takes what memory knows of landmarks; nothing is looked for before.
+  [[nodiscard]] LandmarkFinder& landmarks() { return landmark_finder_; }
+
  private:
   void match(const StereoFrame& frame, const cv::Mat1b& left, DisparityMap& disparity);
   void measure_depth(const StereoFrame& frame, const cv::Mat1b& left, Percept& percept);
@@ -79,6 +86,7 @@ class Perception {
   KeypointFinder keypoint_finder_;
   SaliencyFinder saliency_finder_;
   MotionFinder motion_finder_;
+  LandmarkFinder landmark_finder_;
   std::int64_t pictures_ = 0;
 };
 
