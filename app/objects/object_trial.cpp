@@ -119,8 +119,7 @@ void seek_all(const ObjectTrialOptions& options, const std::string& memory, Outc
   StandingRobot robot(world, plan, settings, options.seed);
   for (const simulator::WorldObject& object : world.objects) {
     // Things that nobody taught are looked at too: they must not be taken for others.
-    const bool taught_once = outcomes.contains(object.name);
-    if (!taught_once && !options.only.empty() && is_meant(options, object.name)) continue;
+    if (!options.only.empty() && !outcomes.contains(object.name)) continue;
     for (const ObjectPlace& place : seeking_places(object)) {
       if (Interrupt::requested()) return;
       const Pose2 base = plan.at(place.along.x_m, place.along.y_m);
