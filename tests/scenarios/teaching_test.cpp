@@ -44,16 +44,12 @@ TEST(LiveTeaching, TheRobotLooksFromAllSidesAndKnowsTheThingAgainOnItsNextMissio
   EXPECT_THAT(episodes[1].at("text").get<std::string>(), HasSubstr("1.5 m away"));
 }
 
-TEST(LiveTeaching, KeepsNothingWhereNothingStandsOut) {
-  const TemporaryFolder folder;
-  const std::string file = folder / "home.db";
-  std::vector<std::string> words = kTeach;
-  words.insert(words.end(), {"--memory", file, "--yes", "--at", "3.5 m, 1 m, 90 deg"});
-  const Ended bare = striate(words);
-  EXPECT_EQ(bare.exit_code, 1);
-  EXPECT_THAT(bare.err, HasSubstr("nothing was kept"));
-  EXPECT_FALSE(std::filesystem::exists(file));
-  EXPECT_EQ(striate({"teach", "x", "--task", "config/tasks/teach.yaml"}).exit_code, 2);
+TEST(LiveTeaching, NeedsATaskAndAWorld) {
+  for (const char* option : {"--task", "--world"}) {
+    const Ended ended = striate({"teach", "x", option, "config/tasks/teach.yaml", "--yes"});
+    EXPECT_EQ(ended.exit_code, 2);
+    EXPECT_THAT(ended.err, HasSubstr("needs --task and --world"));
+  }
 }
 
 TEST(ObjectTrial, ABookThatWasTaughtIsRecognisedInTheOtherWorld) {
