@@ -50,7 +50,8 @@ void FamiliarLandmarks::seek(std::string_view name) {
   ordered_.reset();
 }
 
-void FamiliarLandmarks::guide(const ShortTermMemory& memory, const Pose2& at, LandmarkFinder& finder) {
+void FamiliarLandmarks::guide(const ShortTermMemory& memory, const Pose2& at,
+                              LandmarkFinder& finder) {
   if (known_.empty()) return;
   if (!ordered_ || memory.now() - *ordered_ >= kOrderEvery) {
     ordered_ = memory.now();
@@ -110,7 +111,7 @@ const std::vector<LandmarkSighting>& FamiliarLandmarks::name(const Percept& perc
 }
 
 const std::vector<LandmarkLesson>& FamiliarLandmarks::learn(const Percept& percept,
-                                                         const ShortTermMemory& memory) {
+                                                            const ShortTermMemory& memory) {
   lessons_.clear();
   if (!std::exchange(to_learn_, false)) return lessons_;
   const Point2 here{memory.pose().x_m, memory.pose().y_m};
