@@ -15,7 +15,9 @@ struct LandmarkFinderSettings {
   double farthest_m = 2.5;    ///< beyond it a landmark is not expected to be recognised
   double least_light = 0.12;  ///< mean grey below which nothing is expected to be recognised
   double hidden_by_m = 0.5;   ///< what is nearer by so much hides
-  RecognitionSettings matching;
+  /// The head does not roll and things stand, so a view is not turned much; and what has but a
+  /// label in common with a view is another thing.
+  RecognitionSettings matching{.least_share = 0.12, .most_turn_rad = 0.785};
 };
 
 template <class V>

@@ -18,6 +18,11 @@ cv::Rect2d box_of(const LandmarkExpectation& expected, const ViewGeometry& geome
   return {middle->u_px - half_px, middle->v_px - half_px, 2 * half_px, 2 * half_px};
 }
 
+cv::Rect2d box_of(const Recognition& found) {
+  return {found.u_px - found.width_px / 2, found.v_px - found.height_px / 2, found.width_px,
+          found.height_px};
+}
+
 cv::Rect2d grown(const cv::Rect2d& box, double share) {
   const double du = share * box.width, dv = share * box.height;
   return {box.x - du, box.y - dv, box.width + 2 * du, box.height + 2 * dv};
@@ -49,7 +54,7 @@ void LandmarkFinder::find(const cv::Mat1b& grey, const ViewGeometry& geometry, P
   if (!knows_any() || pictures_++ % settings_.every != 0) return;
   choose_windows(grey, geometry, percept);
   gather_keypoints(grey);
-  percept.recognitions = compare();
+  keep_one_a_place(compare(), percept.recognitions);
   for (Recognition& found : percept.recognitions) place(geometry, percept.disparity, found);
   for (const LandmarkExpectation& expected : expected_) {
     percept.expected.push_back({expected.landmark, judge(expected, geometry, percept)});
@@ -108,6 +113,20 @@ const std::vector<Recognition>& LandmarkFinder::compare() {
     };
   }
   return recogniser_.recognise(keypoints_, chosen_, budget);
+}
+
+/// A part of the picture shows one thing: what has most inliers there. Others that have something
+/// in common with it, such as the same label, give way.
+void LandmarkFinder::keep_one_a_place(const std::vector<Recognition>& found,
+                                      std::vector<Recognition>& kept) const {
+  kept.clear();
+  for (const Recognition& one : found) {  // most inliers first
+    const bool taken = std::ranges::any_of(kept, [&](const Recognition& stronger) {
+      const cv::Rect2d a = box_of(one), b = box_of(stronger);
+      return (a & b).area() > 0.5 * std::min(a.area(), b.area());
+    });
+    if (!taken) kept.push_back(one);
+  }
 }
 
 /// Bearing by the place in the picture, distance by the disparity in its middle half.

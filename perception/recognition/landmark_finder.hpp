@@ -57,6 +57,8 @@ class LandmarkFinder {
   void gather_keypoints(const cv::Mat1b& grey);
   void choose_views();
   [[nodiscard]] const std::vector<Recognition>& compare();
+  void keep_one_a_place(const std::vector<Recognition>& found,
+                        std::vector<Recognition>& kept) const;
   void place(const ViewGeometry& geometry, const DisparityMap& map, Recognition& found);
   [[nodiscard]] LookResult judge(const LandmarkExpectation& expected, const ViewGeometry& geometry,
                                  const Percept& percept);

@@ -39,9 +39,9 @@ TEST(LiveTeaching, TheRobotLooksFromAllSidesAndKnowsTheThingAgainOnItsNextMissio
   EXPECT_EQ(run.exit_code, 0) << run.err;
   const nlohmann::json episodes = memory_json(file, {"episodes"});
   ASSERT_EQ(episodes.size(), 4U) << "taught, start, recognised, end";
-  EXPECT_EQ(episodes[1].at("kind"), "recognised");
-  EXPECT_EQ(episodes[1].at("landmark"), "red_book");
-  EXPECT_THAT(episodes[1].at("text").get<std::string>(), HasSubstr("1.5 m away"));
+  EXPECT_EQ(episodes[2].at("kind"), "recognised");
+  EXPECT_EQ(episodes[2].at("landmark"), "red_book");
+  EXPECT_THAT(episodes[2].at("text").get<std::string>(), HasSubstr("1.5 m away"));
 }
 
 TEST(LiveTeaching, NeedsATaskAndAWorld) {

@@ -136,6 +136,28 @@ TEST(LandmarkFinder, ViewsBeyondTheBudgetTakeTurns) {
   EXPECT_EQ(last, 2);
 }
 
+TEST(LandmarkFinder, APartOfThePictureShowsOneThing) {
+  LandmarkFinderSettings settings;
+  settings.matching.least_share = 0.0;
+  settings.every = 1;
+  LandmarkFinder finder(settings);
+  // The second landmark has the right half of the first in common with it.
+  cv::Mat1b half = thing(2);
+  thing(1)(cv::Rect(50, 0, 70, 90)).copyTo(half(cv::Rect(50, 0, 70, 90)));
+  OrientedKeypoints oriented(OrientedSettings{});
+  const LandmarkView like =
+      make_view(half, {0, 0, 120, 90}, [&](const cv::Mat1b& grey) { return oriented(grey); });
+  std::vector<int> order = {finder.know(2, like)};
+  finder.look_for(order);
+  Scene alone;
+  EXPECT_EQ(alone.hang(1, 320, 240).salient(320, 240).look(finder).recognitions.size(), 1U);
+  order.push_back(finder.know(1, view_of(1)));
+  finder.look_for(order);
+  const Percept& percept = alone.look(finder);
+  ASSERT_EQ(percept.recognitions.size(), 1U);
+  EXPECT_EQ(percept.recognitions[0].landmark, 1);
+}
+
 TEST(LandmarkFinder, WithoutAViewItDoesNothing) {
   LandmarkFinder finder{LandmarkFinderSettings{}};
   EXPECT_FALSE(finder.knows_any());
