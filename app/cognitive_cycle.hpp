@@ -3,6 +3,7 @@
 #include "app/robot_settings.hpp"
 #include "behaviours/arbiter.hpp"
 #include "behaviours/safety_limiter.hpp"
+#include "memory/familiar_landmarks.hpp"
 #include "memory/odometry_history.hpp"
 #include "memory/short_term_memory.hpp"
 #include "perception/perception.hpp"
@@ -15,8 +16,10 @@ namespace striate {
 struct CycleTrace {
   Senses senses;
   Percept percept;
-  Wish wish;          ///< what the behaviour wanted
-  MotorCommand sent;  ///< what the limiter let through
+  std::vector<LandmarkSighting> sightings;  ///< landmarks recognised in a picture of this cycle
+  std::vector<LandmarkLesson> lessons;      ///< what they teach, for the long-term memory to keep
+  Wish wish;                                ///< what the behaviour wanted
+  MotorCommand sent;                        ///< what the limiter let through
   LimitReason limited_by = LimitReason::none;
 };
 
@@ -37,6 +40,8 @@ class CognitiveCycle {
   }
   /// After the last step. @param failed whether the mission did
   void close_places(bool failed) { memory_.close_places(failed); }
+  /// The landmarks that are looked for. Before the first step; without it there are none.
+  void know(FamiliarLandmarks landmarks);
 
   /// One cycle; false when the body has ended or the mission is over.
   bool step();
@@ -59,6 +64,7 @@ class CognitiveCycle {
   OdometryHistory odometry_;  ///< a picture belongs to the place where it was taken
   Perception perception_;
   ShortTermMemory memory_;
+  FamiliarLandmarks landmarks_;
   Arbiter arbiter_;
   SafetyLimiter limiter_;
   CycleTrace trace_;

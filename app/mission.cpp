@@ -27,6 +27,12 @@ RobotSettings settings_for(const MissionOptions& options) {
   return settings;
 }
 
+simulator::World world_for(const MissionOptions& options) {
+  simulator::World world = simulator::load_world(options.world);
+  if (options.start) world.start = *options.start;
+  return world;
+}
+
 /// How far to drive is for the person to say: `way` leads to the goal line and a little beyond,
 /// `there` ends a little before it, because the robot's own count of its way is not exact.
 GivenVariables course_of(const simulator::World& world) {
@@ -50,15 +56,26 @@ std::unique_ptr<TrueDepthPictures> with_depth(Baseline baseline, RendererPicture
                                              settings.perception.stereo.width);
 }
 
+/// Checks `needs: {landmarks: ...}` against what the memory knows.
+Task task_for(const MissionOptions& options, const simulator::World& world) {
+  std::vector<std::string> names;
+  if (options.knowledge) {
+    for (const LandmarkModel& model : options.knowledge->landmarks) {
+      names.push_back(model.record.name);
+    }
+  }
+  return load_task(options.task, RobotDescription{}, course_of(world),
+                   options.knowledge ? &names : nullptr);
+}
+
 }  // namespace
 
 Mission::Mission(const MissionOptions& options)
     : options_(options),
       settings_(settings_for(options)),
-      world_(simulator::load_world(options.world)),
+      world_(world_for(options)),
       plan_(simulator::build_floor_plan(world_)),
-      executive_(load_task(options.task, RobotDescription{}, course_of(world_),
-                           options.landmarks ? &*options.landmarks : nullptr)),
+      executive_(task_for(options, world_)),
       pictures_(std::make_unique<RendererPictures>(world_, plan_, settings_.camera, options.seed)),
       true_pictures_(with_depth(baseline_named(options.baseline), *pictures_, settings_)),
       disparities_(disparities_of(baseline_named(options.baseline), settings_.perception,
@@ -70,7 +87,13 @@ Mission::Mission(const MissionOptions& options)
       watched_(std::make_unique<StopwatchRobot>(*body_)),
       cycle_(std::make_unique<CognitiveCycle>(*watched_, settings_, executive_)) {
   if (disparities_) cycle_->see_with(*disparities_);
-  if (options.places) cycle_->know_places(*options.places);
+  if (options_.places) cycle_->know_places(*options_.places);
+  if (!options_.knowledge) return;
+  FamiliarLandmarks landmarks(std::move(*options_.knowledge), settings_.long_term_memory);
+  options_.knowledge.reset();
+  // One at a time can be sought; the first that the task needs comes to mind first.
+  if (!executive_.task().landmarks.empty()) landmarks.seek(executive_.task().landmarks.front());
+  cycle_->know(std::move(landmarks));
 }
 
 RunResult Mission::run(const EachCycle& each_cycle) {

@@ -6,7 +6,6 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "app/baselines/true_depth_pictures.hpp"
 #include "app/cognitive_cycle.hpp"
@@ -24,10 +23,11 @@ struct MissionOptions {
   std::uint64_t seed = 1;
   bool emergency_layer = true;
   std::string baseline;  ///< whose disparities: paper, sgbm, truth; empty: Striate's own
-  /// Names that the memory knows, for `needs: {landmarks: ...}`; none: there is no memory.
-  std::optional<std::vector<std::string>> landmarks;
-  /// What it knows of places; none: there is no memory.
-  std::optional<PlaceKnowledge> places;
+  /// Along the corridor, left of its middle, heading; none: the world's own start.
+  std::optional<Pose2> start;
+  /// What the long-term memory knows; none: there is no memory.
+  std::optional<LandmarkKnowledge> knowledge;
+  std::optional<PlaceKnowledge> places;  ///< and what it knows of places
 };
 
 /// One run of a task in a simulated world: the body, the mind, and the judge that watches.

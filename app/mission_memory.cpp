@@ -2,9 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "app/memory/open_memory.hpp"
 #include "config/user_error.hpp"
 #include "memory/place/place_keeping.hpp"
+#include "memory/long_term/learning.hpp"
 
 namespace striate {
 namespace {
@@ -16,6 +19,7 @@ constexpr double kKeepPlacesEvery_s = 30.0;  ///< and of what was learned of pla
 
 MissionMemory::MissionMemory(const std::string& file, const MissionOptions& mission) {
   if (file.empty()) return;
+  settings_ = load_robot_settings(mission.robot).long_term_memory;
   const MemoryOptions options = memory_options(Access::session, "striate run");
   writer_ = std::make_unique<MemoryWriter>(file, options);
   print_notices(writer_->notices());
@@ -36,6 +40,7 @@ MissionMemory::MissionMemory(const std::string& file, const MissionOptions& miss
 void MissionMemory::take(Mission& mission) {
   if (writer_ == nullptr) return;
   take_places(mission);
+  keep_lessons(mission);
   const auto& collisions = mission.body().judge().collisions();
   for (; collisions_ < collisions.size(); ++collisions_) {
     const std::string& hit = collisions[collisions_].hit;
@@ -59,6 +64,28 @@ void MissionMemory::take(Mission& mission) {
 }
 
 void MissionMemory::finish(Mission& mission, const RunResult& result) {
+void MissionMemory::keep_lessons(const Mission& mission) {
+  for (const LandmarkLesson& lesson : mission.cycle().trace().lessons) {
+    const bool seen = lesson.kind == LandmarkLesson::Kind::recognised;
+    Episode episode = episode_now(mission, seen ? "recognised" : "missed", "");
+    episode.landmark = lesson.name;
+    episode.text = !seen ? "not seen where it was expected"
+                   : std::isfinite(lesson.distance_m)
+                       ? fmt::format("{:.1f} m away, {:+.0f} deg", lesson.distance_m,
+                                     degrees(lesson.bearing_rad))
+                       : fmt::format("at {:+.0f} deg", degrees(lesson.bearing_rad));
+    writer_->post([episode, seen, settings = settings_](MemoryTables& tables) {
+      if (seen) {
+        keep_sighting(tables, episode.landmark, episode.time_s, settings);
+      } else {
+        keep_miss(tables, episode.landmark, settings);
+      }
+      tables.sessions.add(episode);
+    });
+  }
+}
+
+void MissionMemory::finish(const Mission& mission, const RunResult& result) {
   if (writer_ == nullptr) return;
   mission.cycle().close_places(result.outcome != "success" && result.outcome != "interrupted");
   try {

@@ -24,6 +24,8 @@ class MissionMemory {
  private:
   /// What is new about places goes to the writer, now and then.
   void take_places(Mission& mission);
+  /// What looks have taught: landmarks grow stronger or weaker.
+  void keep_lessons(const Mission& mission);
   /// Keeps an episode if it is news. @param about what it is about: the same again is none.
   void note(const Mission& mission, const std::string& kind, const std::string& about,
             const std::string& text);
@@ -32,6 +34,7 @@ class MissionMemory {
 
   std::unique_ptr<MemoryWriter> writer_;
   Session session_;
+  LongTermSettings settings_;
   EpisodeGate gate_;
   double noted_s_ = 0.0;
   double places_kept_s_ = 0.0;

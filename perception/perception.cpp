@@ -32,7 +32,8 @@ Perception::Perception(const PerceptionSettings& settings, const RobotDescriptio
       matcher_(settings.stereo),
       keypoint_finder_(settings.keypoints),
       saliency_finder_(settings.saliency),
-      motion_finder_(settings.motion, robot) {}
+      motion_finder_(settings.motion, robot),
+      landmark_finder_(settings.recognition) {}
 
 void Perception::match(const StereoFrame& frame, const Greys& greys, DisparityMap& disparity) {
   const int width = settings_.stereo.width;
@@ -90,6 +91,7 @@ Percept Perception::see(const StereoFrame& frame, const std::optional<Pose2>& ba
   if (settings_.keypoints_every > 0 && pictures_ % settings_.keypoints_every == 0) {
     percept.keypoints = keypoint_finder_.find(grey);
   }
+  landmark_finder_.find(grey, ViewGeometry(percept.disparity, frame.head, robot_), percept);
   ++pictures_;
   return percept;
 }

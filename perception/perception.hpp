@@ -9,6 +9,7 @@
 #include "perception/motion/motion.hpp"
 #include "perception/obstacles/obstacles.hpp"
 #include "perception/percept.hpp"
+#include "perception/recognition/landmark_finder.hpp"
 #include "perception/saliency/saliency.hpp"
 #include "perception/stereo/disparity_source.hpp"
 #include "perception/stereo/stereo_matcher.hpp"
@@ -26,6 +27,7 @@ struct PerceptionSettings {
   /// The paper's in the cycle: a third of the robust one's time, and nothing drives by it.
   SaliencySettings saliency{.setting = SaliencySetting::paper};
   KeypointSettings keypoints;
+  LandmarkFinderSettings recognition;
   /// Pictures; in between the percept has no keypoints; 0: never. Nothing in the cycle reads them:
   /// recognition finds its own, with Striate's descriptor.
   int keypoints_every = 0;
@@ -40,14 +42,16 @@ void visit(V& v, PerceptionSettings& s) {
   v.section("corridor", s.corridor);
   v.section("saliency", s.saliency);
   v.section("keypoints", s.keypoints);
+  v.section("recognition", s.recognition);
   v.integer("saliency_every", s.saliency_every, {1, 100}, "saliency in every n-th picture");
   v.integer("keypoints_every", s.keypoints_every, {0, 100},
             "keypoints in every n-th picture; 0: never");
 }
 
-/// All of seeing: one picture pair in, one percept out. Holds no memory of earlier pictures but
-/// their count (and copies of the last ones where `saliency.motion_weight` is not zero or `motion`
-/// is on), so the same pictures in the same order always give the same percepts.
+/// All of seeing: one picture pair in, one percept out. What landmarks look like is handed in by
+/// who remembers them (`landmarks()`). Holds no memory of earlier pictures but their count (and
+/// copies of the last ones where `saliency.motion_weight` is not zero or `motion` is on), so the
+/// same pictures in the same order always give the same percepts.
 class Perception {
  public:
   /// Throws UserError for settings out of range.
@@ -63,6 +67,8 @@ class Perception {
 
   /// From now on the disparities are `source`'s, which must live as long; for baselines.
   void take_disparities_from(DisparitySource& source) { other_disparities_ = &source; }
+  /// Takes what memory knows of landmarks; nothing is looked for before.
+  [[nodiscard]] LandmarkFinder& landmarks() { return landmark_finder_; }
 
  private:
   /// The left picture in grey, as it came and at the working size.
@@ -80,6 +86,7 @@ class Perception {
   SaliencyFinder saliency_finder_;
   MotionFinder motion_finder_;
   DisparitySource* other_disparities_ = nullptr;
+  LandmarkFinder landmark_finder_;
   std::int64_t pictures_ = 0;
 };
 

@@ -1,18 +1,15 @@
 #include <fmt/format.h>
 
-#include <filesystem>
 #include <memory>
 #include <string>
-#include <vector>
 
 #include "app/commands/commands.hpp"
 #include "app/interrupt.hpp"
-#include "app/memory/open_memory.hpp"
+#include "app/memory/landmark_knowledge.hpp"
 #include "app/mission.hpp"
 #include "app/mission_memory.hpp"
 #include "app/mission_pictures.hpp"
 #include "app/status_line.hpp"
-#include "memory/place/place_keeping.hpp"
 
 namespace striate {
 namespace {
@@ -80,19 +77,12 @@ int exit_code_of(const RunResult& result) {
   return result.outcome == "interrupted" ? 130 : 1;
 }
 
-/// What the memory knows before the mission; nothing where it is still to be made.
-void look_up(const std::string& memory, MissionOptions& mission) {
-  mission.landmarks.emplace();
-  mission.places.emplace();
-  if (!std::filesystem::exists(memory)) return;
-  with_memory(memory, Access::read, "looking up its landmarks",
-              [&](MemoryTables& tables, MemoryFile&) { mission.places = read_places(tables); });
-  for (const Landmark& one : mission.places->landmarks) mission.landmarks->push_back(one.name);
-}
-
 int run(const RunOptions& given) {
   RunOptions options = given;
-  if (!options.memory.empty()) look_up(options.memory, options.mission);
+  if (!options.memory.empty()) {
+    options.mission.knowledge = read_landmark_knowledge(options.memory);
+    options.mission.places = read_place_knowledge(options.memory);
+  }
   options.mission.emergency_layer = !options.no_emergency;
   if (!options.result.empty()) check_writable(options.result);
   const Interrupt interrupt;
