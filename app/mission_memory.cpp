@@ -6,8 +6,8 @@
 
 #include "app/memory/open_memory.hpp"
 #include "config/user_error.hpp"
-#include "memory/place/place_keeping.hpp"
 #include "memory/long_term/learning.hpp"
+#include "memory/place/place_keeping.hpp"
 
 namespace striate {
 namespace {
@@ -63,7 +63,6 @@ void MissionMemory::take(Mission& mission) {
       [id = session_.id, now_s](MemoryTables& tables) { tables.sessions.note_time(id, now_s); });
 }
 
-void MissionMemory::finish(Mission& mission, const RunResult& result) {
 void MissionMemory::keep_lessons(const Mission& mission) {
   for (const LandmarkLesson& lesson : mission.cycle().trace().lessons) {
     const bool seen = lesson.kind == LandmarkLesson::Kind::recognised;
@@ -85,7 +84,7 @@ void MissionMemory::keep_lessons(const Mission& mission) {
   }
 }
 
-void MissionMemory::finish(const Mission& mission, const RunResult& result) {
+void MissionMemory::finish(Mission& mission, const RunResult& result) {
   if (writer_ == nullptr) return;
   mission.cycle().close_places(result.outcome != "success" && result.outcome != "interrupted");
   try {

@@ -4,12 +4,14 @@
 #include <string>
 
 #include "app/commands/commands.hpp"
+#include "app/commands/run_on_robot.hpp"
 #include "app/interrupt.hpp"
 #include "app/memory/landmark_knowledge.hpp"
 #include "app/mission.hpp"
 #include "app/mission_memory.hpp"
 #include "app/mission_pictures.hpp"
 #include "app/status_line.hpp"
+#include "config/user_error.hpp"
 
 namespace striate {
 namespace {
@@ -21,6 +23,7 @@ struct RunOptions {
   std::string pictures;
   std::string result;
   std::string memory;
+  std::vector<std::string> given;
   bool quiet = false;
   bool json = false;
 };
@@ -111,18 +114,37 @@ int run(const RunOptions& given) {
   return exit_code_of(result);
 }
 
+/// Without a world the robot is a real one.
+int run_with_robot(const RunOptions& options) {
+  if (!options.memory.empty() || !options.pictures.empty()) {
+    throw UserError("striate run: --memory and --pictures go with --world");
+  }
+  RunOnRobotOptions real;
+  real.mission.task = options.mission.task;
+  real.mission.robot = options.mission.robot;
+  real.mission.emergency_layer = !options.no_emergency;
+  real.given = options.given;
+  real.result = options.result;
+  real.quiet = options.quiet;
+  real.json = options.json;
+  return run_on_robot(real);
+}
+
 }  // namespace
 
 void add_run_command(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<RunOptions>();
   CLI::App* command = app.add_subcommand(
       "run",
-      "Runs a task script with the simulated Pioneer in a world.\n"
-      "Example: striate run config/tasks/corridor.yaml --world config/worlds/corridor_a.yaml "
+      "Runs a task script with the simulated Pioneer in a world, or with a real one.\n"
+      "Examples: striate run config/tasks/corridor.yaml --world config/worlds/corridor_a.yaml "
       "--seed 7 --result r.json\n"
+      "          striate run config/tasks/corridor.yaml --robot config/robots/pioneer.yaml "
+      "--var \"way=20 m\"\n"
       "Ctrl-C stops the robot, runs the task's 'finally' and still writes the result.");
   command->add_option("task", options->mission.task, "the task script")->required();
-  command->add_option("--world", options->mission.world, "the world file")->required();
+  command->add_option("--world", options->mission.world,
+                      "the world file; without it the robot is the one that --robot tells of");
   command->add_option("--robot", options->mission.robot, "settings of the robot and its mind");
   command
       ->add_option("--seed", options->mission.seed,
@@ -141,9 +163,18 @@ void add_run_command(CLI::App& app, int& exit_code) {
                       "the long-term memory that keeps what happens; made where there is none");
   command->add_option("--baseline", options->mission.baseline,
                       "drive by other disparities: paper, sgbm (OpenCV's) or truth");
+  command
+      ->add_option("--var", options->given,
+                   "a variable of the task, as \"way=20 m\", for a run without a world")
+      ->take_all();
   command->add_flag("--quiet", options->quiet, "print nothing");
   command->add_flag("--json", options->json, "print the result as JSON instead of the summary");
-  command->callback([options, &exit_code] { exit_code = run(*options); });
+  command->callback([options, &exit_code] {
+    if (!options->mission.world.empty() && !options->given.empty()) {
+      throw UserError("striate run: --var goes without --world: the world says how far to drive");
+    }
+    exit_code = options->mission.world.empty() ? run_with_robot(*options) : run(*options);
+  });
 }
 
 }  // namespace striate
