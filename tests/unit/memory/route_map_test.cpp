@@ -9,7 +9,7 @@ namespace {
 
 std::vector<std::int64_t> stations_of(const RoutePlan& way) {
   std::vector<std::int64_t> stations;
-  for (const WayStep& step : way.all()) stations.push_back(step.landmark);
+  for (const RouteStep& step : way.all()) stations.push_back(step.landmark);
   return stations;
 }
 
