@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "memory/place/place_estimate.hpp"
@@ -26,12 +27,14 @@ class RouteLearner {
   void move(const PlaceEstimate& estimate, std::vector<Station>& passed);
 
  private:
+  static constexpr double kNone = std::numeric_limits<double>::infinity();
   struct Nearest {
     bool approached = false;
     double distance_m = 0.0;
     double way_m = 0.0;
     double heading_rad = 0.0;
-    double left_at_m = -1e9;  ///< way when it was passed last
+    double left_at_m = -1e9;    ///< way when it was passed last
+    double farthest_m = kNone;  ///< distance since then
   };
   PlaceSettings settings_;
   std::vector<Nearest> nearest_;

@@ -341,7 +341,8 @@ TEST(Merging, TheSameMemoryTwiceAddsNothing) {
   EXPECT_EQ(grown.sessions, 1);
   EXPECT_EQ(grown.views, 0);
   EXPECT_EQ(ours.tables.landmarks.find("book")->history.uses, 4);
-  EXPECT_EQ(ours.tables.sessions.episodes(-1).size(), 1U);
+  EXPECT_EQ(ours.tables.sessions.episodes(-1).size(),
+            2U);  // the lamp was taught, and a collision came in
   EXPECT_EQ(ours.tables.sessions.operating_now_s(), 120.0);
   EXPECT_TRUE(merge(theirs.tables, theirs.tables, {}).nothing_new());
 }
