@@ -7,7 +7,9 @@ CognitiveCycle::CognitiveCycle(Robot& robot, const RobotSettings& settings, Exec
       executive_(executive),
       perception_(settings.perception, robot.description()),
       memory_(settings.memory, robot.description()),
-      limiter_(settings.safety, robot.description()) {}
+      limiter_(settings.safety, robot.description()) {
+  perception_.landmarks().set_clock(&robot.clock());
+}
 
 CognitiveCycle::~CognitiveCycle() {
   robot_.stop();
