@@ -59,11 +59,7 @@ std::unique_ptr<TrueDepthPictures> with_depth(Baseline baseline, RendererPicture
 /// Checks `needs: {landmarks: ...}` against what the memory knows.
 Task task_for(const MissionOptions& options, const simulator::World& world) {
   std::vector<std::string> names;
-  if (options.knowledge) {
-    for (const LandmarkModel& model : options.knowledge->landmarks) {
-      names.push_back(model.record.name);
-    }
-  }
+  if (options.knowledge) names = options.knowledge->names();
   return load_task(options.task, RobotDescription{}, course_of(world),
                    options.knowledge ? &names : nullptr);
 }
@@ -87,13 +83,9 @@ Mission::Mission(const MissionOptions& options)
       watched_(std::make_unique<StopwatchRobot>(*body_)),
       cycle_(std::make_unique<CognitiveCycle>(*watched_, settings_, executive_)) {
   if (disparities_) cycle_->see_with(*disparities_);
-  if (options_.places) cycle_->know_places(*options_.places);
   if (!options_.knowledge) return;
-  FamiliarLandmarks landmarks(std::move(*options_.knowledge), settings_.long_term_memory);
+  hand_over(std::move(*options_.knowledge), executive_.task(), settings_.long_term_memory, *cycle_);
   options_.knowledge.reset();
-  // One at a time can be sought; the first that the task needs comes to mind first.
-  if (!executive_.task().landmarks.empty()) landmarks.seek(executive_.task().landmarks.front());
-  cycle_->know(std::move(landmarks));
 }
 
 RunResult Mission::run(const EachCycle& each_cycle) {

@@ -9,6 +9,7 @@
 
 #include "app/baselines/true_depth_pictures.hpp"
 #include "app/cognitive_cycle.hpp"
+#include "app/memory/landmark_knowledge.hpp"
 #include "app/run_result.hpp"
 #include "app/stopwatch_robot.hpp"
 #include "platform/simulator/simulated_pioneer.hpp"
@@ -26,8 +27,7 @@ struct MissionOptions {
   /// Along the corridor, left of its middle, heading; none: the world's own start.
   std::optional<Pose2> start;
   /// What the long-term memory knows; none: there is no memory.
-  std::optional<LandmarkKnowledge> knowledge;
-  std::optional<PlaceKnowledge> places;  ///< and what it knows of places
+  std::optional<MissionKnowledge> knowledge;
 };
 
 /// One run of a task in a simulated world: the body, the mind, and the judge that watches.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
+#include <utility>
+#include <vector>
 
 #include "config/user_error.hpp"
 
@@ -25,17 +27,28 @@ RobotSettings settings_for(const RobotMissionOptions& options) {
   return settings;
 }
 
+Task task_for(const RobotMissionOptions& options) {
+  std::vector<std::string> names;
+  if (options.knowledge) names = options.knowledge->names();
+  return load_task(options.task, RobotDescription{}, options.given,
+                   options.knowledge ? &names : nullptr);
+}
+
 }  // namespace
 
 RobotMission::RobotMission(const RobotMissionOptions& options)
     : options_(options),
       settings_(settings_for(options)),
-      executive_(load_task(options.task, RobotDescription{}, options.given)),
+      executive_(task_for(options)),
       robot_(std::make_unique<pioneer::PioneerRobot>(settings_.pioneer)),
       watched_(std::make_unique<StopwatchRobot>(*robot_)),
       cycle_(std::make_unique<CognitiveCycle>(*watched_, settings_, executive_)),
       began_(robot_->clock().now()),
-      stands_since_(began_) {}
+      stands_since_(began_) {
+  if (!options_.knowledge) return;
+  hand_over(std::move(*options_.knowledge), executive_.task(), settings_.long_term_memory, *cycle_);
+  options_.knowledge.reset();
+}
 
 RunResult RobotMission::run(const EachCycle& each_cycle) {
   try {

@@ -2,9 +2,11 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "app/cognitive_cycle.hpp"
+#include "app/memory/landmark_knowledge.hpp"
 #include "app/run_result.hpp"
 #include "app/stopwatch_robot.hpp"
 #include "platform/pioneer/pioneer_robot.hpp"
@@ -17,6 +19,8 @@ struct RobotMissionOptions {
   std::string task;
   std::string robot;  ///< settings file that says where the devices are
   GivenVariables given;
+  /// What the long-term memory knows; none: there is no memory.
+  std::optional<MissionKnowledge> knowledge;
   bool emergency_layer = true;
 };
 
@@ -35,6 +39,7 @@ class RobotMission {
   RunResult run(const EachCycle& each_cycle);
 
   [[nodiscard]] const CognitiveCycle& cycle() const { return *cycle_; }
+  [[nodiscard]] CognitiveCycle& cycle() { return *cycle_; }
   [[nodiscard]] const Executive& executive() const { return executive_; }
   /// Why the safety gate holds the robot, or slows it.
   [[nodiscard]] pioneer::HoldReason hold() { return robot_->driver().report().hold; }

@@ -82,27 +82,27 @@ int exit_code_of(const RunResult& result) {
 
 int run(const RunOptions& given) {
   RunOptions options = given;
-  if (!options.memory.empty()) {
-    options.mission.knowledge = read_landmark_knowledge(options.memory);
-    options.mission.places = read_place_knowledge(options.memory);
-  }
+  if (!options.memory.empty()) options.mission.knowledge = read_mission_knowledge(options.memory);
   options.mission.emergency_layer = !options.no_emergency;
   if (!options.result.empty()) check_writable(options.result);
   const Interrupt interrupt;
   Mission mission(options.mission);
   MissionPictures pictures(options.pictures, options.picture_every);
-  MissionMemory memory(options.memory, options.mission);
+  MissionMemory memory(options.memory, options.mission.robot,
+                       fmt::format("{} in {}, seed {}", options.mission.task, options.mission.world,
+                                   options.mission.seed));
   StatusLine status(options.quiet || options.json);
   std::string said;
   const RunResult result = mission.run([&](const Mission& running) {
     pictures.take(running);
     tell_what_is_said(running, said, status);
-    memory.take(mission);
+    memory.take(mission.cycle());
+    memory.take(mission.body().judge());
     if (status.due()) status.show(status_text(running));
     return Interrupt::requested();
   });
   status.clear();
-  memory.finish(mission, result);
+  memory.finish(mission.cycle(), result);
   pictures.finish(mission, result);
   const std::string json = to_json(result).dump(2) + "\n";
   if (!options.result.empty()) write_file(options.result, json);
@@ -116,14 +116,13 @@ int run(const RunOptions& given) {
 
 /// Without a world the robot is a real one.
 int run_with_robot(const RunOptions& options) {
-  if (!options.memory.empty() || !options.pictures.empty()) {
-    throw UserError("striate run: --memory and --pictures go with --world");
-  }
+  if (!options.pictures.empty()) throw UserError("striate run: --pictures goes with --world");
   RunOnRobotOptions real;
   real.mission.task = options.mission.task;
   real.mission.robot = options.mission.robot;
   real.mission.emergency_layer = !options.no_emergency;
   real.given = options.given;
+  real.memory = options.memory;
   real.result = options.result;
   real.quiet = options.quiet;
   real.json = options.json;
