@@ -17,12 +17,20 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::uintmax_t kMostMemory_bytes = 128U << 20U;
+
 std::string read_whole(const std::string& file) {
   std::ifstream stream(file, std::ios::binary);
   std::stringstream text;
   text << stream.rdbuf();
   if (!stream) throw UserError(fmt::format("{}: cannot be read\n    is the path right?", file));
   return text.str();
+}
+
+std::string new_folder() {
+  std::string pattern = (fs::temp_directory_path() / "striate_XXXXXX").string();
+  if (mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("no room for a folder");
+  return pattern;
 }
 
 /// The innermost folder that all files are in.
@@ -67,10 +75,33 @@ replay::RecordedSetup record_setup(const Task& task, const GivenVariables& given
   return setup;
 }
 
-RecordedFiles::RecordedFiles(const replay::RecordedSetup& setup) {
-  std::string pattern = (fs::temp_directory_path() / "striate_XXXXXX").string();
-  if (mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("no room for a folder");
-  folder_ = pattern;
+std::vector<std::uint8_t> copy_of_memory(const std::string& memory) {
+  if (!fs::exists(memory)) return {};
+  if (fs::file_size(memory) > kMostMemory_bytes) {
+    throw UserError(
+        fmt::format("{}: is too large to go into a recording, which takes 128 MB at most\n"
+                    "  hint: run without --record, or 'striate memory {} prune'",
+                    memory, memory));
+  }
+  const std::string folder = new_folder();
+  const std::string copy = folder + "/memory.db";
+  {
+    MemoryFile file(memory, memory_options(Access::read, "striate run"));
+    SQLite::Statement statement(file.database(), "VACUUM INTO ?");
+    statement.bind(1, copy);
+    statement.exec();
+  }
+  const std::string bytes = read_whole(copy);
+  std::error_code none;
+  fs::remove_all(folder, none);
+  return {bytes.begin(), bytes.end()};
+}
+
+RecordedFiles::RecordedFiles(const replay::RecordedSetup& setup) : folder_(new_folder()) {
+  if (!setup.memory.empty()) {
+    memory_ = folder_ + "/memory.db";
+    write_file(memory_, std::string(setup.memory.begin(), setup.memory.end()));
+  }
   for (const auto& [name, text] : setup.task_files) {
     const fs::path relative = fs::path(name).lexically_normal();
     if (relative.empty() || relative.is_absolute() || relative.string().starts_with("..")) {

@@ -3,7 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
+#include <utility>
+#include <vector>
 
+#include "app/memory/landmark_knowledge.hpp"
 #include "app/recording/decision.hpp"
 #include "tasks/task_reader.hpp"
 
@@ -16,10 +20,16 @@ ReplayMission::ReplayMission(const ReplayOptions& options)
   settings_ = load_robot_settings(options.robot.empty() ? files.robot() : options.robot);
   settings_.safety.emergency_layer = settings_.safety.emergency_layer && then.emergency_layer;
   const GivenVariables given(then.variables.begin(), then.variables.end());
+  std::optional<MissionKnowledge> knowledge;
+  if (then.memory_known) knowledge = read_mission_knowledge(files.memory());
+  const std::vector<std::string> names =
+      knowledge ? knowledge->names() : std::vector<std::string>();
   executive_ = std::make_unique<Executive>(
       load_task(options.task.empty() ? files.task() : options.task, RobotDescription{}, given,
-                then.memory_known ? &then.landmarks : nullptr));
+                then.memory_known ? &names : nullptr));
   cycle_ = std::make_unique<CognitiveCycle>(body_, settings_, *executive_);
+  if (!knowledge) return;
+  hand_over(std::move(*knowledge), executive_->task(), settings_.long_term_memory, *cycle_);
 }
 
 bool ReplayMission::step() {

@@ -34,6 +34,7 @@ class ReplayMission {
   [[nodiscard]] const replay::RecordedCycle& recorded() const { return body_.cycle(); }
   [[nodiscard]] const CognitiveCycle& cycle() const { return *cycle_; }
   [[nodiscard]] const Executive& executive() const { return *executive_; }
+  [[nodiscard]] const RobotSettings& settings() const { return settings_; }
   [[nodiscard]] const RobotDescription& robot() const { return body_.description(); }
   [[nodiscard]] const replay::RecordedSetup& setup() const { return reader_.setup(); }
   [[nodiscard]] replay::Ending ending() const { return reader_.ending(); }

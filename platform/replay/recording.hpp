@@ -18,9 +18,9 @@ struct RecordedSetup {
   std::string task;                   ///< as it was named on the command line
   std::vector<NamedText> task_files;  ///< the task first, then those it uses; paths below a folder
   std::vector<NamedText> variables;   ///< given to the task from outside
-  bool memory_known = false;          ///< there was a long-term memory; it knew `landmarks`
-  std::vector<std::string> landmarks;
-  std::string robot_file;  ///< "": built-in settings
+  bool memory_known = false;          ///< there was a long-term memory
+  std::vector<std::uint8_t> memory;   ///< its file before the run; empty: it was still to be made
+  std::string robot_file;             ///< "": built-in settings
   std::string robot_text;
   std::vector<NamedText> settings;  ///< all in force: key, value as printed
   bool emergency_layer = true;

@@ -219,8 +219,7 @@ std::vector<std::uint8_t> encode(const RecordedSetup& setup) {
   put(writer, setup.task_files);
   put(writer, setup.variables);
   writer.put(static_cast<std::uint8_t>(setup.memory_known));
-  writer.put(static_cast<std::uint32_t>(setup.landmarks.size()));
-  for (const std::string& name : setup.landmarks) writer.put_text(name);
+  writer.put_block(setup.memory);
   writer.put_text(setup.robot_file);
   writer.put_text(setup.robot_text);
   put(writer, setup.settings);
@@ -240,8 +239,8 @@ RecordedSetup decode_setup(std::span<const std::uint8_t> payload) {
   setup.task_files = take_named(reader);
   setup.variables = take_named(reader);
   setup.memory_known = reader.take_flag();
-  setup.landmarks.resize(reader.take_count(4));
-  for (std::string& name : setup.landmarks) name = reader.take_text();
+  const auto memory = reader.take_block();
+  setup.memory.assign(memory.begin(), memory.end());
   setup.robot_file = reader.take_text();
   setup.robot_text = reader.take_text();
   setup.settings = take_named(reader);

@@ -29,7 +29,7 @@ inline replay::RecordedSetup a_setup() {
   setup.task_files = {{"there.yaml", "striate: 1\n"}, {"parts/back.yaml", "striate: 1\n# b\n"}};
   setup.variables = {{"way", "12 m"}};
   setup.memory_known = true;
-  setup.landmarks = {"book", "cup"};
+  setup.memory = {1, 2, 3};
   setup.robot_file = "r.yaml";
   setup.robot_text = "safety: {}\n";
   setup.settings = {{"a.b", "1"}, {"a.c", "2 m"}};
