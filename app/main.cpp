@@ -42,6 +42,8 @@ int run(int argc, char** argv) {
   app.failure_message(CLI::FailureMessage::simple);
   int exit_code = 0;
   striate::add_run_command(app, exit_code);
+  striate::add_replay_command(app, exit_code);
+  striate::add_recall_command(app, exit_code);
   striate::add_trial_command(app, exit_code);
   striate::add_perceive_command(app, exit_code);
   striate::add_sim_command(app, exit_code);

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <exception>
 
-#include "app/renderer_pictures.hpp"
+#include "app/baselines/baseline.hpp"
 #include "platform/simulator/world_reader.hpp"
 #include "tasks/task_reader.hpp"
 
@@ -15,15 +15,20 @@ namespace {
 
 constexpr double kStands_m_s = 0.01;
 constexpr double kStands_rad_s = 0.02;
-constexpr double kTrailStep_m = 0.1;
-constexpr std::size_t kTrailPoints = 400;
 
 RobotSettings settings_for(const MissionOptions& options) {
   RobotSettings settings = load_robot_settings(options.robot);
   if (!options.emergency_layer) settings.safety.emergency_layer = false;
   // The goal line ends the task, not the body: `finally` is still to be run.
   settings.simulator.judge.ends_at_goal = false;
+  apply_baseline(baseline_named(options.baseline), settings.perception);
   return settings;
+}
+
+simulator::World world_for(const MissionOptions& options) {
+  simulator::World world = simulator::load_world(options.world);
+  if (options.start) world.start = *options.start;
+  return world;
 }
 
 /// How far to drive is for the person to say: `way` leads to the goal line and a little beyond,
@@ -41,20 +46,45 @@ bool goal_is_the_line(const Task& task) {
   return std::find(task.variables.begin(), task.variables.end(), "way") != task.variables.end();
 }
 
+/// Only the baseline `truth` has pictures that know their depth.
+std::unique_ptr<TrueDepthPictures> with_depth(Baseline baseline, RendererPictures& pictures,
+                                              const RobotSettings& settings) {
+  if (baseline != Baseline::truth) return nullptr;
+  return std::make_unique<TrueDepthPictures>(pictures, pictures.renderer(),
+                                             settings.perception.stereo.width);
+}
+
+/// Checks `needs: {landmarks: ...}` against what the memory knows.
+Task task_for(const MissionOptions& options, const simulator::World& world) {
+  std::vector<std::string> names;
+  if (options.knowledge) names = options.knowledge->names();
+  return load_task(options.task, RobotDescription{}, course_of(world),
+                   options.knowledge ? &names : nullptr);
+}
+
 }  // namespace
 
 Mission::Mission(const MissionOptions& options)
     : options_(options),
       settings_(settings_for(options)),
-      world_(simulator::load_world(options.world)),
+      world_(world_for(options)),
       plan_(simulator::build_floor_plan(world_)),
-      executive_(load_task(options.task, RobotDescription{}, course_of(world_),
-                           options.landmarks ? &*options.landmarks : nullptr)),
+      executive_(task_for(options, world_)),
       pictures_(std::make_unique<RendererPictures>(world_, plan_, settings_.camera, options.seed)),
-      body_(std::make_unique<simulator::SimulatedPioneer>(world_, options.seed, settings_.simulator,
-                                                          pictures_.get())),
+      true_pictures_(with_depth(baseline_named(options.baseline), *pictures_, settings_)),
+      disparities_(disparities_of(baseline_named(options.baseline), settings_.perception,
+                                  true_pictures_.get())),
+      body_(std::make_unique<simulator::SimulatedPioneer>(
+          world_, options.seed, settings_.simulator,
+          true_pictures_ ? static_cast<simulator::PictureSource*>(true_pictures_.get())
+                         : pictures_.get())),
       watched_(std::make_unique<StopwatchRobot>(*body_)),
-      cycle_(std::make_unique<CognitiveCycle>(*watched_, settings_, executive_)) {}
+      cycle_(std::make_unique<CognitiveCycle>(*watched_, settings_, executive_)) {
+  if (disparities_) cycle_->see_with(*disparities_);
+  if (!options_.knowledge) return;
+  hand_over(std::move(*options_.knowledge), executive_.task(), settings_.long_term_memory, *cycle_);
+  options_.knowledge.reset();
+}
 
 RunResult Mission::run(const EachCycle& each_cycle) {
   try {
@@ -64,7 +94,9 @@ RunResult Mission::run(const EachCycle& each_cycle) {
       wall_s_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
       ++cycles_;
       one_cycle_on();
-      if (each_cycle(*this)) executive_.interrupt(MissionState::interrupted, "interrupted");
+      const bool asked_to_end = each_cycle(*this);
+      watch_the_judge();
+      if (asked_to_end) executive_.interrupt(MissionState::interrupted, "interrupted");
       if (!goes_on) break;
     }
   } catch (const std::exception& error) {
@@ -80,19 +112,18 @@ void Mission::one_cycle_on() {
       std::abs(odometry.forward_m_s) < kStands_m_s && std::abs(odometry.turn_rad_s) < kStands_rad_s;
   stands_s_ = stands ? stands_s_ + to_seconds(body_->description().cycle) : 0.0;
   longest_stand_s_ = std::max(longest_stand_s_, stands_s_);
-  const Point2 here{odometry.pose.x_m, odometry.pose.y_m};
-  if (trail_.empty() ||
-      std::hypot(here.x_m - trail_.back().x_m, here.y_m - trail_.back().y_m) > kTrailStep_m) {
-    trail_.push_back(here);
-    if (trail_.size() > kTrailPoints) trail_.pop_front();
-  }
-  watch_the_judge();
+  trail_.add(odometry.pose);
 }
 
+/// Ends the task from outside, so after everybody has seen the cycle as it was.
 void Mission::watch_the_judge() {
   if (body_->judge().reached_goal() && goal_is_the_line(executive_.task())) {
     executive_.interrupt(MissionState::succeeded, "beyond the goal line");
   }
+}
+
+GivenVariables Mission::given() const {
+  return course_of(world_);
 }
 
 double Mission::mean_cycle_ms() const {
@@ -146,6 +177,7 @@ RunResult Mission::result() const {
   result.seed = options_.seed;
   result.world = options_.world;
   result.task = options_.task;
+  result.baseline = options_.baseline;
   result.emergency_layer = settings_.safety.emergency_layer;
   return result;
 }

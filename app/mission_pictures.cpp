@@ -4,23 +4,13 @@
 
 #include <filesystem>
 #include <opencv2/imgcodecs.hpp>
-#include <opencv2/imgproc.hpp>
 #include <stdexcept>
 
-#include "app/pictures/canvas.hpp"
-#include "app/pictures/disparity_colours.hpp"
-#include "app/pictures/map_picture.hpp"
+#include "app/pictures/cycle_sheet.hpp"
 #include "app/pictures/plan_picture.hpp"
-#include "app/pictures/scene_pictures.hpp"
 
 namespace striate {
 namespace {
-
-constexpr int kGap = 8;
-constexpr int kCaption = 40;
-const cv::Size kLarge(640, 480);
-const cv::Size kSmall(316, 237);
-constexpr int kMapSide = 480;
 
 void save(const std::string& file, const cv::Mat3b& picture) {
   bool written = false;
@@ -30,40 +20,6 @@ void save(const std::string& file, const cv::Mat3b& picture) {
     written = false;
   }
   if (!written) throw std::runtime_error(fmt::format("{}: the picture cannot be written", file));
-}
-
-void place(cv::Mat3b& page, const cv::Mat3b& tile, cv::Point at, const std::string& title) {
-  tile.copyTo(page(cv::Rect(at, tile.size())));
-  pictures::write_label(page, title, {at.x + 6, at.y + 6}, pictures::kInk);
-}
-
-std::string caption(const Mission& mission) {
-  const CycleTrace& trace = mission.cycle().trace();
-  const Pose2 place = mission.body().judge().in_corridor();
-  return fmt::format("{:6.1f} s   {:5.1f} m along   {:.2f} m/s   {}: {}",
-                     to_seconds(trace.senses.now), place.x_m, trace.senses.odometry.forward_m_s,
-                     mission.executive().current_action(), trace.wish.why.view());
-}
-
-/// Camera with what stands in the way, disparity, saliency, and the map with the trail.
-cv::Mat3b overview_of(const Mission& mission) {
-  const CycleTrace& trace = mission.cycle().trace();
-  const int map_left = kLarge.width + kSmall.width + 2 * kGap;
-  cv::Mat3b page(kLarge.height + kCaption, map_left + kMapSide);
-  page.setTo(pictures::kBackground);
-  place(page, pictures::draw_obstacles(trace.senses.stereo, trace.percept, kLarge), {0, 0},
-        "left eye: free floor, obstacles");
-  const DisparityMap& disparity = trace.percept.disparity;
-  place(page, pictures::colour_disparity(disparity, pictures::scale_for(disparity), kSmall),
-        {kLarge.width + kGap, 0}, "disparity");
-  place(page, pictures::draw_saliency(trace.senses.stereo, trace.percept, kSmall),
-        {kLarge.width + kGap, kSmall.height + 6}, "saliency");
-  place(page,
-        pictures::draw_map(mission.cycle().memory(), mission.body().description(), mission.trail(),
-                           kMapSide),
-        {map_left, 0}, "short-term memory, 10 x 10 m");
-  pictures::write(page, caption(mission), {10, kLarge.height + 26}, pictures::kInk, 1.1);
-  return page;
 }
 
 }  // namespace
@@ -84,7 +40,12 @@ void MissionPictures::take(const Mission& mission) const {
     return;
   }
   if (!mission.cycle().trace().percept.valid) return;
-  save(fmt::format("{}/overview_{:05d}.png", folder_, mission.cycles()), overview_of(mission));
+  const std::string caption =
+      pictures::cycle_caption(mission.cycle(), mission.body().judge().in_corridor().x_m,
+                              mission.executive().current_action());
+  save(fmt::format("{}/overview_{:05d}.png", folder_, mission.cycles()),
+       pictures::draw_cycle_sheet(mission.cycle(), mission.body().description(), mission.trail(),
+                                  caption));
 }
 
 void MissionPictures::finish(const Mission& mission, const RunResult& result) const {

@@ -28,4 +28,15 @@ Pose2 parse_place(const std::string& text) {
                               text, why));
 }
 
+double parse_time_s(const std::string& option, const std::string& text) {
+  config::Mistakes mistakes(option);
+  const config::Node node = parse_yaml(text, mistakes);
+  if (mistakes.none()) {
+    const auto time_s = read_quantity(node, config::Unit::duration, {0.0, 1e6}, mistakes);
+    if (time_s && mistakes.none()) return *time_s;
+  }
+  throw UserError(fmt::format("{} \"{}\" is no time ({})\n    write it like \"12.3 s\"", option,
+                              text, mistakes.none() ? "nothing" : mistakes.list().front().message));
+}
+
 }  // namespace striate

@@ -27,6 +27,8 @@ class Executive {
   void interrupt(MissionState as, std::string reason);
 
   [[nodiscard]] bool ended() const { return ended_; }
+  /// It was ended from outside.
+  [[nodiscard]] bool interrupted() const { return interrupted_; }
   /// How the steps ended; final once `ended()`.
   [[nodiscard]] MissionState state() const { return state_; }
   [[nodiscard]] std::string reason() const;

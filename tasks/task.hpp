@@ -13,6 +13,7 @@ namespace striate {
 /// A task script, checked and ready to run once.
 struct Task {
   std::string file;
+  std::vector<std::string> files;  ///< that file and those it uses; absolute paths
   std::string mission;
   std::vector<std::string> landmarks;  ///< what it needs to know: `needs: {landmarks: [book]}`
   std::vector<std::string> variables;  ///< names that it declares with `vars`

@@ -1,17 +1,17 @@
 #include <fmt/format.h>
 
-#include <filesystem>
 #include <memory>
 #include <string>
-#include <vector>
 
 #include "app/commands/commands.hpp"
 #include "app/commands/run_on_robot.hpp"
 #include "app/interrupt.hpp"
-#include "app/memory/open_memory.hpp"
+#include "app/memory/landmark_knowledge.hpp"
 #include "app/mission.hpp"
 #include "app/mission_memory.hpp"
 #include "app/mission_pictures.hpp"
+#include "app/recall/live_memory.hpp"
+#include "app/recording/mission_recorder.hpp"
 #include "app/status_line.hpp"
 #include "config/user_error.hpp"
 
@@ -25,6 +25,8 @@ struct RunOptions {
   std::string pictures;
   std::string result;
   std::string memory;
+  std::string record;
+  std::string inspect;
   std::vector<std::string> given;
   bool quiet = false;
   bool json = false;
@@ -82,37 +84,36 @@ int exit_code_of(const RunResult& result) {
   return result.outcome == "interrupted" ? 130 : 1;
 }
 
-/// What the memory knows before the mission; nothing where it is still to be made.
-std::vector<std::string> names_in(const std::string& memory) {
-  std::vector<std::string> names;
-  if (!std::filesystem::exists(memory)) return names;
-  with_memory(memory, Access::read, "looking up its landmarks",
-              [&](MemoryTables& tables, MemoryFile&) {
-                for (const Landmark& one : tables.landmarks.all(false)) names.push_back(one.name);
-              });
-  return names;
-}
-
 int run(const RunOptions& given) {
   RunOptions options = given;
-  if (!options.memory.empty()) options.mission.landmarks = names_in(options.memory);
+  if (!options.memory.empty()) options.mission.knowledge = read_mission_knowledge(options.memory);
   options.mission.emergency_layer = !options.no_emergency;
   if (!options.result.empty()) check_writable(options.result);
   const Interrupt interrupt;
+  MissionRecorder recorder(options.record, options.memory);
   Mission mission(options.mission);
   MissionPictures pictures(options.pictures, options.picture_every);
-  MissionMemory memory(options.memory, options.mission);
+  MissionMemory memory(options.memory, options.mission.robot,
+                       fmt::format("{} in {}, seed {}", options.mission.task, options.mission.world,
+                                   options.mission.seed));
+  recorder.begin(mission);
+  LiveMemory live(options.inspect);
   StatusLine status(options.quiet || options.json);
   std::string said;
   const RunResult result = mission.run([&](const Mission& running) {
+    recorder.take(running.cycle(), running.executive());
+    live.take(running.cycle(), running.executive(), running.cycles());
     pictures.take(running);
     tell_what_is_said(running, said, status);
-    memory.take(running);
+    memory.take(mission.cycle());
+    memory.take(mission.body().judge());
     if (status.due()) status.show(status_text(running));
     return Interrupt::requested();
   });
   status.clear();
-  memory.finish(mission, result);
+  const std::string recorded = recorder.finish();
+  live.finish();
+  memory.finish(mission.cycle(), result);
   pictures.finish(mission, result);
   const std::string json = to_json(result).dump(2) + "\n";
   if (!options.result.empty()) write_file(options.result, json);
@@ -120,20 +121,22 @@ int run(const RunOptions& given) {
     fmt::print("{}", json);
   } else if (!options.quiet) {
     print_summary(result, options);
+    if (!recorded.empty()) fmt::print("  recording         {}\n", recorded);
   }
   return exit_code_of(result);
 }
 
 /// Without a world the robot is a real one.
 int run_with_robot(const RunOptions& options) {
-  if (!options.memory.empty() || !options.pictures.empty()) {
-    throw UserError("striate run: --memory and --pictures go with --world");
-  }
+  if (!options.pictures.empty()) throw UserError("striate run: --pictures goes with --world");
   RunOnRobotOptions real;
   real.mission.task = options.mission.task;
   real.mission.robot = options.mission.robot;
   real.mission.emergency_layer = !options.no_emergency;
   real.given = options.given;
+  real.memory = options.memory;
+  real.record = options.record;
+  real.inspect = options.inspect;
   real.result = options.result;
   real.quiet = options.quiet;
   real.json = options.json;
@@ -171,6 +174,13 @@ void add_run_command(CLI::App& app, int& exit_code) {
   command->add_option("--result", options->result, "JSON file for what came of it");
   command->add_option("--memory", options->memory,
                       "the long-term memory that keeps what happens; made where there is none");
+  command->add_option("--record", options->record,
+                      "file for all that is felt and decided, for 'striate replay' and 'recall'");
+  command->add_option("--inspect", options->inspect,
+                      "file that shows once a second what short-term memory holds, for "
+                      "'striate recall'");
+  command->add_option("--baseline", options->mission.baseline,
+                      "drive by other disparities: paper, sgbm (OpenCV's) or truth");
   command
       ->add_option("--var", options->given,
                    "a variable of the task, as \"way=20 m\", for a run without a world")

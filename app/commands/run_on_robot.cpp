@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 
 #include "app/interrupt.hpp"
+#include "app/mission_memory.hpp"
+#include "app/recall/live_memory.hpp"
+#include "app/recording/mission_recorder.hpp"
 #include "app/status_line.hpp"
 #include "config/user_error.hpp"
 
@@ -66,21 +69,34 @@ int run_on_robot(const RunOnRobotOptions& options) {
   RobotMissionOptions asked = options.mission;
   asked.given = variables(options.given);
   if (!options.result.empty()) check_writable(options.result);
+  if (!options.memory.empty()) asked.knowledge = read_mission_knowledge(options.memory);
   const Interrupt interrupt;
+  MissionRecorder recorder(options.record, options.memory);
   RobotMission mission(asked);
+  MissionMemory memory(options.memory, asked.robot,
+                       fmt::format("{} with {}", asked.task, asked.robot));
+  recorder.begin(mission);
+  LiveMemory live(options.inspect);
   if (options.at_begin) options.at_begin(mission);
   StatusLine status(options.quiet || options.json);
   const RunResult result = mission.run([&](const RobotMission&) {
+    recorder.take(mission.cycle(), mission.executive());
+    live.take(mission.cycle(), mission.executive(), mission.cycles());
+    memory.take(mission.cycle());
     if (options.each_cycle) options.each_cycle(mission);
     if (status.due()) status.show(status_text(mission));
     return Interrupt::requested();
   });
   status.clear();
+  const std::string recorded = recorder.finish();
+  live.finish();
+  memory.finish(mission.cycle(), result);
   if (!options.result.empty()) write_file(options.result, json_of(result));
   if (options.json) {
     fmt::print("{}", json_of(result));
   } else if (!options.quiet) {
     print_summary(result);
+    if (!recorded.empty()) fmt::print("  recording         {}\n", recorded);
   }
   return exit_code_of(result);
 }

@@ -19,6 +19,7 @@ struct ReadContext {
   const KnownLandmarks* landmarks = nullptr;
   bool parameters_stay_open = false;  ///< checked alone: a parameter fits every type
   std::vector<std::string> files;     ///< the one being read last, before it those that use it
+  std::vector<std::string> read;      ///< every file that was read, each once
   int steps_left = 5000;              ///< of all files together
 };
 

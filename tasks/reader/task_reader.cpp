@@ -13,6 +13,7 @@ using config::Node;
 Task read(Node root, ReadContext& context, const GivenVariables& given, Mistakes& mistakes) {
   std::error_code code;
   context.files.push_back(std::filesystem::weakly_canonical(mistakes.file(), code).string());
+  context.read = context.files;
   Variables variables;
   for (const auto& [name, text] : given) {
     Variable& variable = variables[name];
@@ -20,7 +21,9 @@ Task read(Node root, ReadContext& context, const GivenVariables& given, Mistakes
     variable.value.text = text;
     variable.origin = "given from outside";
   }
-  return std::move(ScriptReader(context, variables, mistakes).read(std::move(root)).task);
+  Task task = std::move(ScriptReader(context, variables, mistakes).read(std::move(root)).task);
+  task.files = context.read;
+  return task;
 }
 
 Task load(const std::string& file, ReadContext& context, const GivenVariables& given) {

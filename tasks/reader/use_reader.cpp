@@ -30,6 +30,9 @@ class UseReader {
     if (!find_file()) return branch;
     Mistakes of_file(file_, mistakes_.letter());
     context_.files.push_back(identity_);
+    if (std::find(context_.read.begin(), context_.read.end(), identity_) == context_.read.end()) {
+      context_.read.push_back(identity_);
+    }
     Script script = ScriptReader(context_, given_, of_file).read(load_yaml(of_file));
     context_.files.pop_back();
     tell(script, of_file);

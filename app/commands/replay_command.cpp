@@ -1,0 +1,160 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+
+#include "app/commands/commands.hpp"
+#include "app/interrupt.hpp"
+#include "app/memory/memory_json.hpp"
+#include "app/perceive_files.hpp"
+#include "app/pictures/cycle_sheet.hpp"
+#include "app/replay/replay_mission.hpp"
+#include "config/user_error.hpp"
+
+namespace striate {
+namespace {
+
+struct ReplayCommandOptions {
+  ReplayOptions replay;
+  int picture_every = 0;
+  std::string pictures;
+  bool json = false;
+};
+
+/// What came of running a recording again.
+struct Comparison {
+  std::uint64_t cycles = 0;
+  std::uint64_t differing = 0;
+  std::uint64_t first_cycle = 0;  ///< that differs; 0: none
+  double first_s = 0.0;
+  std::vector<std::string> first;  ///< what differs there
+  std::uint64_t gaps = 0;          ///< cycles that the recorder left out, within the file
+  std::uint64_t first_gap = 0;     ///< the first of them
+  double lasts_s = 0.0;
+};
+
+void compare(const ReplayMission& mission, Comparison& result) {
+  const std::uint64_t number = mission.recorded().number;
+  const std::uint64_t expected = result.cycles + result.gaps + 1;
+  if (number > expected) {
+    if (result.gaps == 0) result.first_gap = expected;
+    result.gaps += number - expected;
+  }
+  ++result.cycles;
+  result.lasts_s = to_seconds(mission.recorded().senses.now);
+  const std::vector<std::string> found = mission.differences();
+  if (found.empty()) return;
+  if (result.differing++ > 0) return;
+  result.first_cycle = number;
+  result.first_s = result.lasts_s;
+  result.first = found;
+}
+
+void take_picture(const ReplayMission& mission, const ReplayCommandOptions& options) {
+  if (options.picture_every <= 0 || options.pictures.empty()) return;
+  const std::uint64_t number = mission.recorded().number;
+  if (number % static_cast<unsigned>(options.picture_every) != 0) return;
+  if (!mission.cycle().trace().percept.valid) return;
+  const std::string caption = pictures::cycle_caption(
+      mission.cycle(), mission.cycle().memory().progress_m(), mission.executive().current_action());
+  write_picture(
+      fmt::format("{}/overview_{:05d}.png", options.pictures, number),
+      pictures::draw_cycle_sheet(mission.cycle(), mission.robot(), mission.trail(), caption));
+}
+
+const char* ending_text(replay::Ending ending) {
+  return ending == replay::Ending::cut_off ? "cut off: the run was killed or the disk was full"
+                                           : "whole";
+}
+
+void print_text(const ReplayMission& mission, const Comparison& result) {
+  const replay::RecordedSetup& setup = mission.setup();
+  fmt::print("{} in {}, seed {}, recorded by {}\n", setup.task,
+             setup.world.empty() ? "the real world" : setup.world, setup.seed, setup.software);
+  fmt::print("  recording   {} cycles, {:.1f} s, {}\n", result.cycles, result.lasts_s,
+             ending_text(mission.ending()));
+  if (result.gaps > 0) {
+    fmt::print(
+        "  gaps        {} cycles were not recorded, the first is {}: from there on memory\n"
+        "              cannot be the same\n",
+        result.gaps, result.first_gap);
+  }
+  for (const std::string& line : mission.changed_settings()) {
+    fmt::print("  setting     {}\n", line);
+  }
+  if (result.first_cycle == 0) {
+    fmt::print("  decisions   the same in all cycles, bit for bit\n");
+    return;
+  }
+  fmt::print("  decisions   differ in {} cycles, first in cycle {} ({:.1f} s):\n", result.differing,
+             result.first_cycle, result.first_s);
+  for (const std::string& line : result.first) fmt::print("    {}\n", line);
+}
+
+void print_as_json(const ReplayMission& mission, const Comparison& result) {
+  nlohmann::ordered_json json = {{"task", mission.setup().task},
+                                 {"world", mission.setup().world},
+                                 {"seed", mission.setup().seed},
+                                 {"software", mission.setup().software},
+                                 {"cycles", result.cycles},
+                                 {"duration_s", result.lasts_s},
+                                 {"whole", mission.ending() == replay::Ending::closed},
+                                 {"cycles_not_recorded", result.gaps},
+                                 {"changed_settings", mission.changed_settings()},
+                                 {"identical", result.differing == 0},
+                                 {"differing_cycles", result.differing}};
+  if (result.first_cycle > 0) {
+    json["first_difference"] = {
+        {"cycle", result.first_cycle}, {"time_s", result.first_s}, {"what", result.first}};
+  }
+  fmt::print("{}", print_json(json));
+}
+
+int run(const ReplayCommandOptions& options) {
+  if (options.picture_every > 0 && options.pictures.empty()) {
+    throw UserError("--picture-every needs a folder: --pictures DIR");
+  }
+  if (!options.pictures.empty()) make_folder(options.pictures);
+  const Interrupt interrupt;
+  ReplayMission mission(options.replay);
+  Comparison result;
+  while (!Interrupt::requested() && mission.step()) {
+    compare(mission, result);
+    take_picture(mission, options);
+  }
+  if (options.json) {
+    print_as_json(mission, result);
+  } else {
+    print_text(mission, result);
+  }
+  if (Interrupt::requested()) return 130;
+  return result.differing == 0 ? 0 : 1;
+}
+
+}  // namespace
+
+void add_replay_command(CLI::App& app, int& exit_code) {
+  auto options = std::make_shared<ReplayCommandOptions>();
+  CLI::App* command = app.add_subcommand(
+      "replay",
+      "Runs a recording (striate run --record) again through seeing, memory, task and behaviours,\n"
+      "and compares every wish and command with those of then, bit for bit.\n"
+      "Examples: striate replay run.rec\n"
+      "          striate replay run.rec --robot other.yaml --pictures out/replay "
+      "--picture-every 10\n"
+      "Exit code 0: all the same; 1: something was decided otherwise, and it says where first.");
+  command->add_option("recording", options->replay.recording, "the recording")->required();
+  command->add_option("--robot", options->replay.robot,
+                      "other settings than those of the recording");
+  command->add_option("--task", options->replay.task, "another task than that of the recording");
+  command
+      ->add_option("--picture-every", options->picture_every,
+                   "an overview picture every so many cycles; 0: none")
+      ->check(CLI::Range(0, 1000000));
+  command->add_option("--pictures", options->pictures, "folder for overview pictures");
+  command->add_flag("--json", options->json, "print JSON instead of text");
+  command->callback([options, &exit_code] { exit_code = run(*options); });
+}
+
+}  // namespace striate

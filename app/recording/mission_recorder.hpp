@@ -1,0 +1,44 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "app/mission.hpp"
+#include "app/recording/recorder.hpp"
+#include "app/robot_mission.hpp"
+
+namespace striate {
+
+/// What a run is begun with. The memory is left to the caller.
+/// @throws UserError where a file cannot be read any more
+[[nodiscard]] replay::RecordedSetup setup_of(const Mission& mission);
+[[nodiscard]] replay::RecordedSetup setup_of(const RobotMission& mission);
+
+/// The recording of a mission; watches from outside, as MissionPictures does.
+class MissionRecorder {
+ public:
+  /// @param file "" for none. @param memory the long-term memory, "" for none: it is copied as it
+  /// is now, so before a session begins. @throws UserError where it cannot be had
+  MissionRecorder(std::string file, const std::string& memory);
+
+  /// Before the first cycle. @throws UserError where nothing can be written; nothing has moved yet.
+  template <class AnyMission>
+  void begin(const AnyMission& mission) {
+    if (!file_.empty()) begin_with(setup_of(mission));
+  }
+  /// Called each cycle, before anything ends the task from outside.
+  void take(const CognitiveCycle& cycle, const Executive& executive);
+  /// Closes the file. What was lost is said on standard error.
+  /// @return for the summary: what was kept, in how many bytes; "" without a file
+  std::string finish();
+
+ private:
+  void begin_with(replay::RecordedSetup setup);
+
+  std::string file_;
+  bool memory_known_ = false;
+  std::vector<std::uint8_t> memory_;
+  std::unique_ptr<Recorder> recorder_;
+};
+
+}  // namespace striate

@@ -1,0 +1,126 @@
+#include "app/recording/setup.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "app/memory/open_memory.hpp"
+#include "app/run_result.hpp"
+#include "config/user_error.hpp"
+
+namespace striate {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uintmax_t kMostMemory_bytes = 128U << 20U;
+
+std::string read_whole(const std::string& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::stringstream text;
+  text << stream.rdbuf();
+  if (!stream) throw UserError(fmt::format("{}: cannot be read\n    is the path right?", file));
+  return text.str();
+}
+
+std::string new_folder() {
+  std::string pattern = (fs::temp_directory_path() / "striate_XXXXXX").string();
+  if (mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("no room for a folder");
+  return pattern;
+}
+
+/// The innermost folder that all files are in.
+fs::path common_folder(const std::vector<std::string>& files) {
+  if (files.empty()) return {};
+  fs::path common = fs::path(files.front()).parent_path();
+  for (const std::string& file : files) {
+    while (!common.empty() &&
+           fs::path(file).lexically_relative(common).string().starts_with("..")) {
+      common = common.parent_path();
+    }
+  }
+  return common;
+}
+
+}  // namespace
+
+std::vector<replay::NamedText> printed_settings(RobotSettings settings) {
+  config::SettingsPrinter printer;
+  visit(printer, settings);
+  std::vector<replay::NamedText> list;
+  for (const config::SettingLine& line : printer.lines()) list.emplace_back(line.key, line.value);
+  return list;
+}
+
+replay::RecordedSetup record_setup(const Task& task, const GivenVariables& given,
+                                   const std::string& robot_file, const RobotSettings& settings,
+                                   const RobotDescription& robot) {
+  replay::RecordedSetup setup;
+  setup.software = software_name();
+  setup.task = task.file;
+  const fs::path folder = common_folder(task.files);
+  for (const std::string& file : task.files) {
+    setup.task_files.emplace_back(fs::path(file).lexically_relative(folder).string(),
+                                  read_whole(file));
+  }
+  setup.variables.assign(given.begin(), given.end());
+  setup.robot_file = robot_file;
+  if (!robot_file.empty()) setup.robot_text = read_whole(robot_file);
+  setup.settings = printed_settings(settings);
+  setup.emergency_layer = settings.safety.emergency_layer;
+  setup.robot = robot;
+  return setup;
+}
+
+std::vector<std::uint8_t> copy_of_memory(const std::string& memory) {
+  if (!fs::exists(memory)) return {};
+  if (fs::file_size(memory) > kMostMemory_bytes) {
+    throw UserError(
+        fmt::format("{}: is too large to go into a recording, which takes 128 MB at most\n"
+                    "  hint: run without --record, or 'striate memory {} prune'",
+                    memory, memory));
+  }
+  const std::string folder = new_folder();
+  const std::string copy = folder + "/memory.db";
+  {
+    MemoryFile file(memory, memory_options(Access::read, "striate run"));
+    SQLite::Statement statement(file.database(), "VACUUM INTO ?");
+    statement.bind(1, copy);
+    statement.exec();
+  }
+  const std::string bytes = read_whole(copy);
+  std::error_code none;
+  fs::remove_all(folder, none);
+  return {bytes.begin(), bytes.end()};
+}
+
+RecordedFiles::RecordedFiles(const replay::RecordedSetup& setup) : folder_(new_folder()) {
+  if (!setup.memory.empty()) {
+    memory_ = folder_ + "/memory.db";
+    write_file(memory_, std::string(setup.memory.begin(), setup.memory.end()));
+  }
+  for (const auto& [name, text] : setup.task_files) {
+    const fs::path relative = fs::path(name).lexically_normal();
+    if (relative.empty() || relative.is_absolute() || relative.string().starts_with("..")) {
+      throw UserError(fmt::format("the recording names a task file '{}', which is no place", name));
+    }
+    const std::string file = (fs::path(folder_) / "task" / relative).string();
+    check_writable(file);
+    write_file(file, text);
+    if (task_.empty()) task_ = file;
+  }
+  if (setup.robot_file.empty()) return;
+  robot_ = folder_ + "/robot.yaml";
+  write_file(robot_, setup.robot_text);
+}
+
+RecordedFiles::~RecordedFiles() {
+  std::error_code none;
+  fs::remove_all(folder_, none);
+}
+
+}  // namespace striate

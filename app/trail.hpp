@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <deque>
+
+#include "platform/interface/geometry.hpp"
+
+namespace striate {
+
+/// Where the robot believes it has been (odometry frame), oldest first; a point every 10 cm.
+class Trail {
+ public:
+  void add(const Pose2& pose) {
+    const bool moved = points_.empty() || std::hypot(pose.x_m - points_.back().x_m,
+                                                     pose.y_m - points_.back().y_m) > kStep_m;
+    if (!moved) return;
+    points_.push_back({pose.x_m, pose.y_m});
+    if (points_.size() > kMost) points_.pop_front();
+  }
+  [[nodiscard]] const std::deque<Point2>& points() const { return points_; }
+
+ private:
+  static constexpr double kStep_m = 0.1;
+  static constexpr std::size_t kMost = 400;
+  std::deque<Point2> points_;
+};
+
+}  // namespace striate
