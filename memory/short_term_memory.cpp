@@ -59,6 +59,7 @@ void ShortTermMemory::feel(const Senses& senses) {
   } else {
     corridor_.start(pose_);
   }
+  trail_.walk(pose_);
   forward_m_s_ = senses.odometry.forward_m_s;
   turn_rad_s_ = senses.odometry.turn_rad_s;
   head_ = senses.head;

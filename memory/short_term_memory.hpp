@@ -13,6 +13,7 @@
 #include "memory/odometry_history.hpp"
 #include "memory/polar_map.hpp"
 #include "memory/salient_memory.hpp"
+#include "memory/trail.hpp"
 #include "platform/interface/robot.hpp"
 
 namespace striate {
@@ -94,6 +95,8 @@ class ShortTermMemory {
   [[nodiscard]] const CorridorMemory& corridor() const { return corridor_; }
   [[nodiscard]] const SalientMemory& salient() const { return salient_; }
   [[nodiscard]] const LandmarkMemory& landmarks() const { return landmarks_; }
+  /// Where the robot has been, from the start on.
+  [[nodiscard]] const Trail& trail() const { return trail_; }
   /// Seconds since the newest picture; infinity before the first.
   [[nodiscard]] double picture_age_s() const;
   [[nodiscard]] double light_level() const { return light_level_; }  ///< 0..1
@@ -122,6 +125,7 @@ class ShortTermMemory {
   WallFitter wall_fitter_;
   SalientMemory salient_;
   LandmarkMemory landmarks_;
+  Trail trail_;
   std::vector<SalientRegion> regions_now_;
 
   TimePoint now_{};

@@ -1,13 +1,12 @@
 #include <fmt/format.h>
 
-#include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "app/commands/commands.hpp"
 #include "app/interrupt.hpp"
-#include "app/memory/open_memory.hpp"
+#include "app/memory/landmark_names.hpp"
 #include "app/mission.hpp"
 #include "app/mission_memory.hpp"
 #include "app/mission_pictures.hpp"
@@ -63,6 +62,7 @@ void print_summary(const RunResult& result, const RunOptions& options) {
   fmt::print("  emergency stops   {}{}\n", result.emergency_stops,
              result.emergency_layer ? "" : " (sonar and laser are off)");
   fmt::print("  longest stand     {:.0f} s\n", result.longest_stand_s);
+  if (result.from_start_m) fmt::print("  ends              {:.2f} m from the start\n", *result.from_start_m);
   fmt::print("  collisions        {}\n", result.collisions.size());
   for (const CollisionRecord& hit : result.collisions) {
     fmt::print("    {:.1f} s: {} ({}) at {:.1f} m, {:+.2f} m, light {:.2f}\n", hit.time_s, hit.hit,
@@ -79,20 +79,9 @@ int exit_code_of(const RunResult& result) {
   return result.outcome == "interrupted" ? 130 : 1;
 }
 
-/// What the memory knows before the mission; nothing where it is still to be made.
-std::vector<std::string> names_in(const std::string& memory) {
-  std::vector<std::string> names;
-  if (!std::filesystem::exists(memory)) return names;
-  with_memory(memory, Access::read, "looking up its landmarks",
-              [&](MemoryTables& tables, MemoryFile&) {
-                for (const Landmark& one : tables.landmarks.all(false)) names.push_back(one.name);
-              });
-  return names;
-}
-
 int run(const RunOptions& given) {
   RunOptions options = given;
-  if (!options.memory.empty()) options.mission.landmarks = names_in(options.memory);
+  if (!options.memory.empty()) options.mission.landmarks = landmark_names_in(options.memory);
   options.mission.emergency_layer = !options.no_emergency;
   if (!options.result.empty()) check_writable(options.result);
   const Interrupt interrupt;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -53,6 +54,7 @@ struct SceneState {
   double turn_rad_s = 0.0;
   HeadPose head;  ///< true
   std::vector<PersonState> people;
+  std::vector<std::size_t> absent;  ///< obstacles of the world that are not there yet
   std::uint64_t frame = 0;  ///< counts pictures: noise of frame n is always the same
 };
 
