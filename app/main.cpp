@@ -47,6 +47,8 @@ int run(int argc, char** argv) {
   striate::add_sim_command(app, exit_code);
   striate::add_task_command(app, exit_code);
   striate::add_drive_command(app, exit_code);
+  striate::add_calibrate_command(app, exit_code);
+  striate::add_doctor_command(app, exit_code);
   striate::add_check_command(app, exit_code);
   striate::add_config_command(app, exit_code);
   striate::add_eval_command(app, exit_code);

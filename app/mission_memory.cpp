@@ -2,18 +2,24 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "app/memory/open_memory.hpp"
 #include "config/user_error.hpp"
+#include "memory/long_term/learning.hpp"
+#include "memory/place/place_keeping.hpp"
 
 namespace striate {
 namespace {
 
-constexpr double kNoteTimeEvery_s = 60.0;  ///< what a crash may lose of the operating time
+constexpr double kNoteTimeEvery_s = 60.0;    ///< what a crash may lose of the operating time
+constexpr double kKeepPlacesEvery_s = 30.0;  ///< and of what was learned of places
 
 }  // namespace
 
 MissionMemory::MissionMemory(const std::string& file, const MissionOptions& mission) {
   if (file.empty()) return;
+  settings_ = load_robot_settings(mission.robot).long_term_memory;
   const MemoryOptions options = memory_options(Access::session, "striate run");
   writer_ = std::make_unique<MemoryWriter>(file, options);
   print_notices(writer_->notices());
@@ -31,8 +37,10 @@ MissionMemory::MissionMemory(const std::string& file, const MissionOptions& miss
   });
 }
 
-void MissionMemory::take(const Mission& mission) {
+void MissionMemory::take(Mission& mission) {
   if (writer_ == nullptr) return;
+  take_places(mission);
+  keep_lessons(mission);
   const auto& collisions = mission.body().judge().collisions();
   for (; collisions_ < collisions.size(); ++collisions_) {
     const std::string& hit = collisions[collisions_].hit;
@@ -55,10 +63,37 @@ void MissionMemory::take(const Mission& mission) {
       [id = session_.id, now_s](MemoryTables& tables) { tables.sessions.note_time(id, now_s); });
 }
 
-void MissionMemory::finish(const Mission& mission, const RunResult& result) {
+void MissionMemory::keep_lessons(const Mission& mission) {
+  for (const LandmarkLesson& lesson : mission.cycle().trace().lessons) {
+    const bool seen = lesson.kind == LandmarkLesson::Kind::recognised;
+    Episode episode = episode_now(mission, seen ? "recognised" : "missed", "");
+    episode.landmark = lesson.name;
+    episode.text = !seen ? "not seen where it was expected"
+                   : std::isfinite(lesson.distance_m)
+                       ? fmt::format("{:.1f} m away, {:+.0f} deg", lesson.distance_m,
+                                     degrees(lesson.bearing_rad))
+                       : fmt::format("at {:+.0f} deg", degrees(lesson.bearing_rad));
+    writer_->post([episode, seen, settings = settings_](MemoryTables& tables) {
+      if (seen) {
+        keep_sighting(tables, episode.landmark, episode.time_s, settings);
+      } else {
+        keep_miss(tables, episode.landmark, settings);
+      }
+      tables.sessions.add(episode);
+    });
+  }
+}
+
+void MissionMemory::finish(Mission& mission, const RunResult& result) {
   if (writer_ == nullptr) return;
+  mission.cycle().close_places(result.outcome != "success" && result.outcome != "interrupted");
   try {
     writer_->commit([&](MemoryTables& tables) {
+      const double end_s = session_.operating_start_s + result.duration_s;
+      for (PlaceNews news = mission.cycle().take_place_news(end_s); !news.empty();
+           news = mission.cycle().take_place_news(end_s)) {
+        keep_places(tables, news);
+      }
       const std::string text = result.outcome + (result.reason.empty() ? "" : ": " + result.reason);
       tables.sessions.add(episode_now(mission, "end", text));
       tables.sessions.end(session_.id, result.duration_s, text);
@@ -70,6 +105,15 @@ void MissionMemory::finish(const Mission& mission, const RunResult& result) {
     fmt::print(stderr, "{} episodes were not kept: {}\n", writer_->lost(), writer_->why_lost());
   }
   writer_.reset();
+}
+
+void MissionMemory::take_places(Mission& mission) {
+  const double now_s = to_seconds(mission.cycle().trace().senses.now);
+  if (now_s - places_kept_s_ < kKeepPlacesEvery_s) return;
+  places_kept_s_ = now_s;
+  PlaceNews news = mission.cycle().take_place_news(session_.operating_start_s + now_s);
+  if (news.empty()) return;
+  writer_->post([news = std::move(news)](MemoryTables& tables) { keep_places(tables, news); });
 }
 
 Episode MissionMemory::episode_now(const Mission& mission, const std::string& kind,

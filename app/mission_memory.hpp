@@ -17,11 +17,15 @@ class MissionMemory {
   MissionMemory(const std::string& file, const MissionOptions& mission);
 
   /// Called each cycle.
-  void take(const Mission& mission);
+  void take(Mission& mission);
   /// Closes the session. What could not be kept is said on standard error: the mission is over.
-  void finish(const Mission& mission, const RunResult& result);
+  void finish(Mission& mission, const RunResult& result);
 
  private:
+  /// What is new about places goes to the writer, now and then.
+  void take_places(Mission& mission);
+  /// What looks have taught: landmarks grow stronger or weaker.
+  void keep_lessons(const Mission& mission);
   /// Keeps an episode if it is news. @param about what it is about: the same again is none.
   void note(const Mission& mission, const std::string& kind, const std::string& about,
             const std::string& text);
@@ -30,8 +34,10 @@ class MissionMemory {
 
   std::unique_ptr<MemoryWriter> writer_;
   Session session_;
+  LongTermSettings settings_;
   EpisodeGate gate_;
   double noted_s_ = 0.0;
+  double places_kept_s_ = 0.0;
   std::size_t collisions_ = 0;
   std::size_t near_misses_ = 0;
   int emergency_stops_ = 0;

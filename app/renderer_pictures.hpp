@@ -2,7 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <memory>
+#include <optional>
 #include <vector>
 
 #include "platform/simulator/late_obstacles.hpp"
@@ -27,12 +27,12 @@ class RendererPictures final : public simulator::PictureSource {
   [[nodiscard]] double light_level(Point2 place) const override {
     return renderer_->light_level(place);
   }
+  [[nodiscard]] simulator::Renderer& renderer() { return *renderer_; }
 
  private:
   void show_without(const std::vector<std::size_t>& absent) {
     absent_ = absent;
-    renderer_ = std::make_unique<simulator::Renderer>(simulator::world_without(world_, absent),
-                                                      plan_, camera_, seed_);
+    renderer_ = simulator::Renderer(simulator::world_without(world_, absent), plan_, camera_, seed_);
   }
 
   simulator::World world_;
@@ -40,7 +40,7 @@ class RendererPictures final : public simulator::PictureSource {
   simulator::CameraSettings camera_;
   std::uint64_t seed_;
   std::vector<std::size_t> absent_;
-  std::unique_ptr<simulator::Renderer> renderer_;
+  std::optional<simulator::Renderer> renderer_;  // its address stays
 };
 
 }  // namespace striate

@@ -8,7 +8,7 @@
 #include "memory/long_term/long_term_settings.hpp"
 #include "memory/short_term_memory.hpp"
 #include "perception/perception.hpp"
-#include "platform/pioneer/base_driver_settings.hpp"
+#include "platform/pioneer/pioneer_settings.hpp"
 #include "platform/simulator/render/renderer.hpp"
 #include "platform/simulator/simulated_pioneer.hpp"
 
@@ -22,7 +22,7 @@ struct RobotSettings {
   SafetyLimiterSettings safety;
   simulator::CameraSettings camera;
   simulator::SimulatorSettings simulator;
-  pioneer::BaseDriverSettings pioneer;
+  pioneer::PioneerSettings pioneer;
 };
 
 template <class V>

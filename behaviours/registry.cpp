@@ -12,6 +12,7 @@
 #include "behaviours/say.hpp"
 #include "behaviours/seek_landmark.hpp"
 #include "behaviours/stop.hpp"
+#include "behaviours/teach.hpp"
 #include "behaviours/traverse_corridor.hpp"
 #include "behaviours/turn_to.hpp"
 #include "behaviours/wait.hpp"
@@ -36,6 +37,7 @@ const std::vector<BehaviourEntry>& behaviour_registry() {
       behaviour_entry<SeekLandmark>("seek_landmark",
                                     "looks and drives about until it recognises a landmark"),
       behaviour_entry<Stop>("stop", "stands still"),
+      behaviour_entry<Teach>("teach", "looks at what stands out ahead from several places"),
       behaviour_entry<TraverseCorridor>("traverse_corridor",
                                         "drives along the corridor, round what stands in it"),
       behaviour_entry<TurnTo>("turn_to", "turns on the spot"),

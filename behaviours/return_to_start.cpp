@@ -3,6 +3,16 @@
 #include "behaviours/short_format.hpp"
 
 namespace striate {
+namespace {
+
+/// Landmarks seen on the way correct where the start is; without a memory odometry alone says it.
+Point2 start_of(const ShortTermMemory& memory) {
+  const Pose2 start =
+      memory.place().active() ? memory.place().start() : memory.trail().start();
+  return {start.x_m, start.y_m};
+}
+
+}  // namespace
 
 // The first heading is the corridor's axis: TurnTo's heading 0.
 ReturnToStart::ReturnToStart(const Settings& settings, const RobotDescription& robot)
@@ -17,8 +27,7 @@ void ReturnToStart::start(const ShortTermMemory& memory) {
 
 Wish ReturnToStart::tick(const ShortTermMemory& memory) {
   if (there_) return turn_.tick(memory);
-  const Pose2& start = memory.trail().start();
-  const Point2 home{start.x_m, start.y_m};
+  const Point2 home = start_of(memory);
   const double left_m = distance_to_m(memory, home);
   if (left_m <= settings_.within_m) {
     if (!settings_.facing) return final_wish(memory, Progress::succeeded, "back at the start");

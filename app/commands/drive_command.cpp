@@ -57,7 +57,7 @@ void print_counters(const pioneer::LinkCounters& counters) {
 
 int drive(const DriveOptions& options) {
   const Interrupt interrupt;
-  pioneer::BaseDriverSettings settings = load_robot_settings(options.robot).pioneer;
+  pioneer::BaseDriverSettings settings = load_robot_settings(options.robot).pioneer.base;
   if (options.force) settings.session.force_unknown_model = true;
   pioneer::PioneerRobot robot(settings, options.url);
   fmt::print("connected to {}\n", robot.driver().report().robot);

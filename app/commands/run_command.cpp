@@ -2,15 +2,16 @@
 
 #include <memory>
 #include <string>
-#include <vector>
 
 #include "app/commands/commands.hpp"
+#include "app/commands/run_on_robot.hpp"
 #include "app/interrupt.hpp"
-#include "app/memory/landmark_names.hpp"
+#include "app/memory/landmark_knowledge.hpp"
 #include "app/mission.hpp"
 #include "app/mission_memory.hpp"
 #include "app/mission_pictures.hpp"
 #include "app/status_line.hpp"
+#include "config/user_error.hpp"
 
 namespace striate {
 namespace {
@@ -22,6 +23,7 @@ struct RunOptions {
   std::string pictures;
   std::string result;
   std::string memory;
+  std::vector<std::string> given;
   bool quiet = false;
   bool json = false;
 };
@@ -62,7 +64,9 @@ void print_summary(const RunResult& result, const RunOptions& options) {
   fmt::print("  emergency stops   {}{}\n", result.emergency_stops,
              result.emergency_layer ? "" : " (sonar and laser are off)");
   fmt::print("  longest stand     {:.0f} s\n", result.longest_stand_s);
-  if (result.from_start_m) fmt::print("  ends              {:.2f} m from the start\n", *result.from_start_m);
+  if (result.from_start_m) {
+    fmt::print("  ends              {:.2f} m from the start\n", *result.from_start_m);
+  }
   fmt::print("  collisions        {}\n", result.collisions.size());
   for (const CollisionRecord& hit : result.collisions) {
     fmt::print("    {:.1f} s: {} ({}) at {:.1f} m, {:+.2f} m, light {:.2f}\n", hit.time_s, hit.hit,
@@ -81,7 +85,10 @@ int exit_code_of(const RunResult& result) {
 
 int run(const RunOptions& given) {
   RunOptions options = given;
-  if (!options.memory.empty()) options.mission.landmarks = landmark_names_in(options.memory);
+  if (!options.memory.empty()) {
+    options.mission.knowledge = read_landmark_knowledge(options.memory);
+    options.mission.places = read_place_knowledge(options.memory);
+  }
   options.mission.emergency_layer = !options.no_emergency;
   if (!options.result.empty()) check_writable(options.result);
   const Interrupt interrupt;
@@ -93,7 +100,7 @@ int run(const RunOptions& given) {
   const RunResult result = mission.run([&](const Mission& running) {
     pictures.take(running);
     tell_what_is_said(running, said, status);
-    memory.take(running);
+    memory.take(mission);
     if (status.due()) status.show(status_text(running));
     return Interrupt::requested();
   });
@@ -110,18 +117,37 @@ int run(const RunOptions& given) {
   return exit_code_of(result);
 }
 
+/// Without a world the robot is a real one.
+int run_with_robot(const RunOptions& options) {
+  if (!options.memory.empty() || !options.pictures.empty()) {
+    throw UserError("striate run: --memory and --pictures go with --world");
+  }
+  RunOnRobotOptions real;
+  real.mission.task = options.mission.task;
+  real.mission.robot = options.mission.robot;
+  real.mission.emergency_layer = !options.no_emergency;
+  real.given = options.given;
+  real.result = options.result;
+  real.quiet = options.quiet;
+  real.json = options.json;
+  return run_on_robot(real);
+}
+
 }  // namespace
 
 void add_run_command(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<RunOptions>();
   CLI::App* command = app.add_subcommand(
       "run",
-      "Runs a task script with the simulated Pioneer in a world.\n"
-      "Example: striate run config/tasks/corridor.yaml --world config/worlds/corridor_a.yaml "
+      "Runs a task script with the simulated Pioneer in a world, or with a real one.\n"
+      "Examples: striate run config/tasks/corridor.yaml --world config/worlds/corridor_a.yaml "
       "--seed 7 --result r.json\n"
+      "          striate run config/tasks/corridor.yaml --robot config/robots/pioneer.yaml "
+      "--var \"way=20 m\"\n"
       "Ctrl-C stops the robot, runs the task's 'finally' and still writes the result.");
   command->add_option("task", options->mission.task, "the task script")->required();
-  command->add_option("--world", options->mission.world, "the world file")->required();
+  command->add_option("--world", options->mission.world,
+                      "the world file; without it the robot is the one that --robot tells of");
   command->add_option("--robot", options->mission.robot, "settings of the robot and its mind");
   command
       ->add_option("--seed", options->mission.seed,
@@ -138,9 +164,20 @@ void add_run_command(CLI::App& app, int& exit_code) {
   command->add_option("--result", options->result, "JSON file for what came of it");
   command->add_option("--memory", options->memory,
                       "the long-term memory that keeps what happens; made where there is none");
+  command->add_option("--baseline", options->mission.baseline,
+                      "drive by other disparities: paper, sgbm (OpenCV's) or truth");
+  command
+      ->add_option("--var", options->given,
+                   "a variable of the task, as \"way=20 m\", for a run without a world")
+      ->take_all();
   command->add_flag("--quiet", options->quiet, "print nothing");
   command->add_flag("--json", options->json, "print the result as JSON instead of the summary");
-  command->callback([options, &exit_code] { exit_code = run(*options); });
+  command->callback([options, &exit_code] {
+    if (!options->mission.world.empty() && !options->given.empty()) {
+      throw UserError("striate run: --var goes without --world: the world says how far to drive");
+    }
+    exit_code = options->mission.world.empty() ? run_with_robot(*options) : run(*options);
+  });
 }
 
 }  // namespace striate

@@ -5,8 +5,9 @@
 #include <cstdio>
 
 #include "app/interrupt.hpp"
+#include "app/renderer_pictures.hpp"
 #include "app/robot_settings.hpp"
-#include "app/serving/arcos_server.hpp"
+#include "app/serving/robot_server.hpp"
 #include "platform/simulator/world_reader.hpp"
 
 namespace striate {
@@ -14,14 +15,18 @@ namespace striate {
 void add_serve_options(CLI::App& command, ServeOptions& options) {
   const std::string group = "Serving";
   command.add_flag("--serve", options.tcp, "serves the robot on TCP, in real time")->group(group);
-  command.add_flag("--pty", options.pty, "serves it on a pseudo-terminal instead")->group(group);
+  command.add_flag("--pty", options.pty, "base, turret and laser on pseudo-terminals instead")
+      ->group(group);
   command
       .add_option("--listen", options.address,
                   "address to listen at; 0.0.0.0 lets other machines drive")
       ->group(group)
       ->capture_default_str();
-  command.add_option("--port", options.port, "TCP port; 0 takes any free one")
-      ->check(CLI::Range(0, 65535))
+  command
+      .add_option("--port", options.port,
+                  "TCP port of the base; turret, laser and camera have the next three; 0 takes any "
+                  "free ones")
+      ->check(CLI::Range(0, 65532))
       ->group(group)
       ->capture_default_str();
   command.add_option("--kind", options.kind, "the Pioneer's kind")
@@ -48,6 +53,16 @@ void add_serve_options(CLI::App& command, ServeOptions& options) {
       ->group(group)
       ->capture_default_str();
   command
+      .add_option("--laser-silent-at", options.devices.laser_silent_at_s,
+                  "seconds after the connection the laser says nothing any more; 0 never")
+      ->check(CLI::Range(0.0, 36000.0))
+      ->group(group);
+  command
+      .add_option("--turret-sticks-at", options.devices.turret_sticks_at_s,
+                  "seconds after the connection something holds the pan servo; 0 never")
+      ->check(CLI::Range(0.0, 36000.0))
+      ->group(group);
+  command
       .add_option("--break-at", faults.break_at_s,
                   "seconds after the connection it is closed; 0 never")
       ->check(CLI::Range(0.0, 36000.0))
@@ -66,12 +81,17 @@ int serve(const ServeOptions& options) {
   serving.pty = options.pty;
   serving.faults = options.faults;
   serving.seed = options.seed;
+  serving.devices = options.devices;
+  serving.camera_latency_s = settings.simulator.sensors.camera_latency_s;
+  RendererPictures pictures(world, robot.plan(), settings.camera, options.seed);
   const Interrupt interrupt;
-  ArcosServer server(robot, serving, [&robot](const std::string& line) {
+  RobotServer server(robot, &pictures, serving, [&robot](const std::string& line) {
     fmt::print("{:8.2f} s  {}\n", to_seconds(robot.now()), line);
     std::fflush(stdout);
   });
-  fmt::print("a {} in {} at {}; Ctrl-C ends it\n", options.kind, world.name, server.url());
+  const ServedUrls& urls = server.urls();
+  fmt::print("a {} in {}; Ctrl-C ends it\n  base    {}\n  turret  {}\n  laser   {}\n  camera  {}\n",
+             options.kind, world.name, urls.base, urls.turret, urls.laser, urls.camera);
   std::fflush(stdout);
   server.run([] { return !Interrupt::requested(); });
   return 0;

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-#include "app/serving/line_faults.hpp"
+#include "app/serving/robot_server.hpp"
 
 namespace striate {
 
@@ -16,6 +16,7 @@ struct ServeOptions {
   int port = 8101;
   std::string kind = "p3dx-sh";
   LineFaults faults;
+  DeviceFaults devices;
   std::string world;
   std::string robot;
   std::uint64_t seed = 1;

@@ -10,23 +10,25 @@
 
 namespace striate {
 
+PseudoTerminal::Descriptor::~Descriptor() {
+  if (number_ >= 0) ::close(number_);
+}
+
 PseudoTerminal::PseudoTerminal() : master_(posix_openpt(O_RDWR | O_NOCTTY | O_NONBLOCK)) {
   std::array<char, 64> name{};
-  if (master_ < 0 || grantpt(master_) != 0 || unlockpt(master_) != 0 ||
-      ptsname_r(master_, name.data(), name.size()) != 0) {
+  if (master_.get() < 0 || grantpt(master_.get()) != 0 || unlockpt(master_.get()) != 0 ||
+      ptsname_r(master_.get(), name.data(), name.size()) != 0) {
     throw std::runtime_error("no pseudo-terminal is to be had");
   }
   name_ = name.data();
   // Held open, so that a client that leaves does not end the line.
-  slave_ = ::open(name_.c_str(), O_RDWR | O_NOCTTY);
+  slave_ = Descriptor(::open(name_.c_str(), O_RDWR | O_NOCTTY));
   termios raw{};
-  if (slave_ < 0 || tcgetattr(slave_, &raw) != 0) throw std::runtime_error(name_ + ": no access");
+  if (slave_.get() < 0 || tcgetattr(slave_.get(), &raw) != 0) {
+    throw std::runtime_error(name_ + ": no access");
+  }
   cfmakeraw(&raw);
-  tcsetattr(slave_, TCSANOW, &raw);
-}
-
-PseudoTerminal::~PseudoTerminal() {
-  ::close(slave_);
+  tcsetattr(slave_.get(), TCSANOW, &raw);
 }
 
 }  // namespace striate

@@ -8,6 +8,8 @@
 namespace striate {
 namespace {
 
+/// The servos' models set the pace; the simulated head keeps up with them.
+constexpr double kHeadFollows_rad_s = 20.0;
 constexpr Duration kLaserPeriod = std::chrono::milliseconds(100);
 
 /// The controller ramps speeds itself: the motors below it follow as fast as motors do.
@@ -23,6 +25,7 @@ RobotDescription motors() {
 
 simulator::SimulatorSettings for_serving(simulator::SimulatorSettings settings) {
   settings.base.command_latency_s = 0.0;  // the line has its own
+  settings.sensors.servo_speed_rad_s = kHeadFollows_rad_s;
   settings.judge = {.ends_at_collision = false, .ends_at_goal = false, .time_limit_s = 0.0};
   return settings;
 }
@@ -40,6 +43,8 @@ ServedPioneer::ServedPioneer(const simulator::World& world, std::uint64_t seed,
                              const pioneer::FirmwareSettings& firmware)
     : body_(world, seed, for_serving(settings), nullptr, motors()),
       firmware_(firmware),
+      servos_({pioneer::ServoModel(1, 0.0), pioneer::ServoModel(2, 0.0)}),
+      camera_(seed, settings.sensors, settings.faults),
       laser_range_m_(settings.sensors.laser_range_m) {}
 
 void ServedPioneer::hand_over_sonar() {
@@ -63,11 +68,40 @@ void ServedPioneer::hand_over_laser() {
   firmware_.laser(ranges_mm);
 }
 
+/// The simulated laser's nearest ray; beyond the front half circle it sees nothing.
+double ServedPioneer::laser_range_m(double bearing_rad) const {
+  const auto& readings = senses_.laser.readings;
+  const auto last = static_cast<double>(readings.size()) - 1.0;
+  const double at = (bearing_rad + radians(90.0)) / radians(180.0) * last;
+  if (readings.empty() || at < -0.5 || at > last + 0.5) return 0.0;
+  const auto index = static_cast<std::size_t>(std::lround(std::clamp(at, 0.0, last)));
+  return range_from(simulator::laser_mount(), readings[index]);
+}
+
+void ServedPioneer::turn_the_urg() {
+  const pioneer::scip::Parameters& urg = urg_.parameters();
+  if (!urg_.measures(now())) return;
+  urg_ranges_mm_.clear();
+  for (int step = urg.first_step; step <= urg.last_step; ++step) {
+    const double range_mm =
+        1000.0 * laser_range_m(radians(360.0 * (step - urg.front_step) / urg.steps_a_turn));
+    // Nothing within range is told as a range that is too short to be one.
+    urg_ranges_mm_.push_back(range_mm > urg.farthest_mm ? 0
+                                                        : static_cast<int>(std::lround(range_mm)));
+  }
+  urg_.step(now(), urg_ranges_mm_);
+}
+
 void ServedPioneer::step() {
-  body_.send({.forward_m_s = firmware_.forward_m_s(), .turn_rad_s = firmware_.turn_rad_s()});
+  servos_.step(kStep);
+  body_.send({.forward_m_s = firmware_.forward_m_s(),
+              .turn_rad_s = firmware_.turn_rad_s(),
+              .pan_rad = servos_.servos[0].angle_rad(),
+              .tilt_rad = servos_.servos[1].angle_rad()});
   body_.sense(senses_);
   hand_over_sonar();
   hand_over_laser();
+  turn_the_urg();
   pioneer::FirmwareSenses felt;
   felt.odometry = senses_.odometry;
   felt.battery_v = senses_.battery_v;

@@ -16,6 +16,7 @@ struct TrialOptions {
   int jobs = 1;       ///< how many at once
   std::uint64_t first_seed = 1;
   bool emergency_layer = true;
+  std::string baseline;  ///< see MissionOptions
   std::string out;
   int shard = 1;   ///< which part of the runs, 1 .. shards
   int shards = 1;  ///< over how many machines they are split
@@ -39,6 +40,9 @@ struct TrialRun {
 
 /// The copy of the memory that a run works with; it stays beside the run's result.
 [[nodiscard]] std::string memory_of(const TrialRun& run);
+
+/// "corridor_a", and "corridor_a, sgbm" with a baseline: the name of a row of the table.
+[[nodiscard]] std::string row_name(const std::string& file, const std::string& baseline);
 
 /// "corridor_a" from "config/worlds/corridor_a.yaml".
 [[nodiscard]] std::string world_name(const std::string& file);

@@ -5,6 +5,7 @@
 #include <boost/asio/serial_port.hpp>
 #include <boost/asio/steady_timer.hpp>
 #include <boost/asio/write.hpp>
+#include <thread>
 
 #include "platform/pioneer/transport.hpp"
 #include "platform/pioneer/transport_url.hpp"
@@ -59,6 +60,10 @@ class StreamLine : public Transport {
     }
   }
   void wait(Duration at_most) override {
+    if (!open_ && !opening_) {
+      std::this_thread::sleep_for(at_most);  // nothing is under way that could come
+      return;
+    }
     io_.restart();
     if (io_.run_one_for(at_most) > 0) io_.poll();
   }
@@ -123,7 +128,7 @@ class StreamLine : public Transport {
   bool writing_ = false;
   std::uint64_t generation_ = 0;
   std::string trouble_;
-  std::array<std::uint8_t, 1024> chunk_{};
+  std::array<std::uint8_t, 16384> chunk_{};
   Bytes inbox_;
   Bytes outbox_;
   Bytes under_way_;

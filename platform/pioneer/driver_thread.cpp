@@ -1,11 +1,17 @@
 #include "platform/pioneer/driver_thread.hpp"
 
+#include <cmath>
 #include <exception>
 
 namespace striate::pioneer {
 namespace {
 
 constexpr Duration kTick = std::chrono::milliseconds(5);
+/// The slowest braking that may be set takes longer; then the motors go off while it rolls.
+constexpr Duration kLongestBraking = std::chrono::milliseconds(2500);
+constexpr Duration kStopHasArrived = std::chrono::milliseconds(150);
+constexpr double kStandsM_s = 0.01;
+constexpr double kStandsRad_s = 0.02;
 
 }  // namespace
 
@@ -44,6 +50,18 @@ void DriverThread::ask_true_pose() {
   slot_.ask_true_pose = true;
 }
 
+void DriverThread::set_head_ok(bool ok) {
+  const TimePoint now = clock_.now();
+  const std::lock_guard lock(mutex_);
+  slot_.head_ok = ok;
+  slot_.head_told_at = now;
+}
+
+void DriverThread::laser_has_measured(TimePoint stamp) {
+  const std::lock_guard lock(mutex_);
+  slot_.laser_at = stamp;
+}
+
 DriverReport DriverThread::report() const {
   const std::lock_guard lock(mutex_);
   return report_;
@@ -65,6 +83,8 @@ void DriverThread::obey(const Slot& slot, TimePoint now) {
   if (slot.command) gate.command(*slot.command, slot.given_at);
   if (slot.emergency) gate.emergency_stop(now);
   if (slot.ask_true_pose) driver_.session().ask_true_pose();
+  if (slot.head_ok) gate.set_head_ok(*slot.head_ok, slot.head_told_at);
+  if (slot.laser_at) gate.laser_has_measured(*slot.laser_at);
 }
 
 void DriverThread::tell() {
@@ -85,7 +105,25 @@ void DriverThread::tell() {
   told_.notify_all();
 }
 
+/// Motors that go off let the wheels roll on: first a stand, as far as the robot still obeys.
+void DriverThread::brake_to_a_stand() {
+  const TimePoint begin = clock_.now();
+  for (TimePoint now = begin; now - begin < kLongestBraking; now = clock_.now()) {
+    const Session& session = driver_.session();
+    if (session.state() != SessionState::ready || !session.base().motors_on) return;
+    driver_.gate().command({}, now);
+    driver_.step(now);
+    // What the robot says is as old as its packet, which may be from before the stop.
+    const BaseState& base = session.base();
+    const bool stands = std::abs(base.odometry.forward_m_s) < kStandsM_s &&
+                        std::abs(base.odometry.turn_rad_s) < kStandsRad_s;
+    if (stands && base.stamp - begin > kStopHasArrived) return;
+    line_->wait(kTick);
+  }
+}
+
 void DriverThread::say_goodbye() {
+  brake_to_a_stand();
   driver_.close();
   driver_.step(clock_.now());
   line_->close();

@@ -33,7 +33,7 @@ class DriverThread {
   /// `clock` must outlive this.
   DriverThread(const BaseDriverSettings& settings, std::unique_ptr<Transport> line,
                const Clock& clock);
-  /// Stops the robot, motors off, CLOSE.
+  /// Brakes to a stand, motors off, CLOSE.
   ~DriverThread();
   DriverThread(const DriverThread&) = delete;
   DriverThread& operator=(const DriverThread&) = delete;
@@ -44,6 +44,9 @@ class DriverThread {
   /// Ends what is latched.
   void reset();
   void ask_true_pose();
+  /// What other devices say of themselves, for the safety gate; see there.
+  void set_head_ok(bool ok);
+  void laser_has_measured(TimePoint stamp);
 
   [[nodiscard]] DriverReport report() const;
   /// True as soon as the robot's motors are on; false after `at_most`, or when the robot is
@@ -57,10 +60,14 @@ class DriverThread {
     bool emergency = false;
     bool reset = false;
     bool ask_true_pose = false;
+    std::optional<bool> head_ok;
+    TimePoint head_told_at;
+    std::optional<TimePoint> laser_at;
   };
   void run();
   void obey(const Slot& slot, TimePoint now);
   void tell();
+  void brake_to_a_stand();
   void say_goodbye();
 
   const Clock& clock_;

@@ -9,6 +9,7 @@ namespace striate::pioneer {
 namespace {
 
 constexpr Duration kSonarFresh = std::chrono::milliseconds(700);
+constexpr Duration kLookAgain = std::chrono::milliseconds(20);
 
 RangeReading from_axle(const Pose2& disc, double range_m) {
   if (!std::isfinite(range_m)) return {disc.heading_rad, range_m};
@@ -35,21 +36,84 @@ void fill_senses(const BaseState& base, TimePoint now, Senses& senses) {
   senses.motors_stalled = base.stalled_left || base.stalled_right;
 }
 
+namespace {
+
+PioneerSettings base_alone(const BaseDriverSettings& settings, const std::string& url) {
+  PioneerSettings all;
+  all.base = settings;
+  all.devices.base = url;
+  return all;
+}
+
+}  // namespace
+
 PioneerRobot::PioneerRobot(const BaseDriverSettings& settings, const std::string& url,
                            Duration patience)
-    : driver_(settings, make_transport(url), clock_) {
-  if (!driver_.wait_until_it_can_drive(patience)) {
-    const DriverReport report = driver_.report();
-    throw std::runtime_error(
-        url + ": " +
-        (report.trouble.empty() ? "the robot's motors do not come on" : report.trouble));
-  }
+    : PioneerRobot(base_alone(settings, url), patience) {}
+
+PioneerRobot::PioneerRobot(const PioneerSettings& settings, Duration patience)
+    : driver_(settings.base, make_transport(settings.devices.base), clock_) {
+  connect_devices(settings);
+  wait_for_all(settings.devices, patience);
   const DriverReport report = driver_.report();
   description_.max_forward_m_s = report.most_forward_m_s;
   description_.max_turn_rad_s = report.most_turn_rad_s;
-  description_.max_acceleration_m_s2 = settings.session.acceleration_m_s2;
-  description_.max_turn_acceleration_rad_s2 = settings.session.turn_acceleration_rad_s2;
+  description_.max_acceleration_m_s2 = settings.base.session.acceleration_m_s2;
+  description_.max_turn_acceleration_rad_s2 = settings.base.session.turn_acceleration_rad_s2;
+  description_.camera_height_m = settings.camera.height_m;
+  description_.camera_forward_m = settings.camera.forward_m;
+  if (turret_) {
+    description_.max_pan_rad = settings.turret.most_pan_rad;
+    description_.max_tilt_rad = settings.turret.most_tilt_rad;
+  }
   next_cycle_ = clock_.now();
+}
+
+void PioneerRobot::connect_devices(const PioneerSettings& settings) {
+  const DevicePlaces& places = settings.devices;
+  if (!places.turret.empty()) {
+    turret_ = std::make_unique<TurretLink>(settings.turret, make_transport(places.turret), clock_,
+                                           [this](bool ok) { driver_.set_head_ok(ok); });
+  }
+  if (!places.laser.empty()) {
+    laser_ = std::make_unique<LaserLink>(settings.laser, make_transport(places.laser), clock_,
+                                         [this](TimePoint at) { driver_.laser_has_measured(at); });
+  }
+  if (!places.camera.empty()) {
+    camera_ = make_stereo_camera(places.camera, settings.camera, clock_);
+  }
+}
+
+std::string PioneerRobot::who_is_missing(const DevicePlaces& places) const {
+  const auto say = [](const std::string& place, const std::string& trouble, const char* otherwise) {
+    return place + ": " + (trouble.empty() ? otherwise : trouble);
+  };
+  const DriverReport report = driver_.report();
+  if (report.state != SessionState::ready || !report.base.motors_on) {
+    return say(places.base, report.trouble, "the robot's motors do not come on");
+  }
+  if (turret_ && !turret_->report().known()) {
+    return say(places.turret, turret_->trouble(), "the turret's servos do not answer");
+  }
+  if (laser_ && laser_->scan().readings.empty()) {
+    return say(places.laser, laser_->trouble(), "the laser does not measure");
+  }
+  if (camera_ && camera_->newest().left.empty()) {
+    return say(places.camera, camera_->trouble(), "the camera sends no picture");
+  }
+  return {};
+}
+
+void PioneerRobot::wait_for_all(const DevicePlaces& places, Duration patience) {
+  const TimePoint end = clock_.now() + patience;
+  (void)driver_.wait_until_it_can_drive(patience);
+  std::string missing = who_is_missing(places);
+  while (!missing.empty() && clock_.now() < end &&
+         driver_.report().state != SessionState::refused) {
+    std::this_thread::sleep_for(kLookAgain);
+    missing = who_is_missing(places);
+  }
+  if (!missing.empty()) throw std::runtime_error(missing);
 }
 
 bool PioneerRobot::sense(Senses& senses) {
@@ -57,11 +121,23 @@ bool PioneerRobot::sense(Senses& senses) {
   std::this_thread::sleep_for(next_cycle_ - clock_.now());
   const DriverReport report = driver_.report();
   fill_senses(report.base, clock_.now(), senses);
+  if (laser_) senses.laser = laser_->scan();
+  if (camera_) senses.stereo = camera_->newest();
+  if (turret_) {
+    const HeadReport head = turret_->report();
+    senses.head = head.pose;
+    senses.stereo.head = head.trail.at(senses.stereo.stamp);
+  }
   // Not by the reason alone: a higher one may hide that the link is gone.
   if (report.state != SessionState::ready || report.hold == HoldReason::link_lost) {
     throw std::runtime_error("the robot is lost: " + report.trouble);
   }
   return true;
+}
+
+void PioneerRobot::send(const MotorCommand& command) {
+  driver_.command(command);
+  if (turret_) turret_->command({command.pan_rad, command.tilt_rad});
 }
 
 void PioneerRobot::stop() noexcept {

@@ -4,18 +4,26 @@
 #include <string>
 
 #include "platform/interface/robot.hpp"
+#include "platform/pioneer/camera/stereo_camera.hpp"
 #include "platform/pioneer/driver_thread.hpp"
+#include "platform/pioneer/laser/laser_link.hpp"
+#include "platform/pioneer/pioneer_settings.hpp"
 #include "platform/pioneer/steady_clock.hpp"
+#include "platform/pioneer/turret/turret_link.hpp"
 
 namespace striate::pioneer {
 
-/// A Pioneer at the other end of a line, as a body: wheels, odometry, sonar, bumpers, battery. It
-/// has no camera and no head; pictures stay empty and the head at rest.
+/// A Pioneer and its devices, as a body: base, turret, laser and stereo camera, each on a line and
+/// in a thread of its own, all stamped by one steady clock. The base is a must; of the others those
+/// that have a place. Laser and turret speak to the safety gate directly: a laser that falls silent
+/// or a head that is stuck stops the wheels whatever the program does.
 class PioneerRobot final : public Robot {
  public:
-  /// Connects and switches the motors on.
-  /// @param url see make_transport
-  /// @throws UserError for a wrong url, std::runtime_error when the robot does not come up.
+  /// Connects, switches the motors on, and waits until each device has spoken.
+  /// @throws UserError for a wrong place, std::runtime_error when something does not come up.
+  explicit PioneerRobot(const PioneerSettings& settings,
+                        Duration patience = std::chrono::seconds(15));
+  /// The base alone. @param url see make_transport
   PioneerRobot(const BaseDriverSettings& settings, const std::string& url,
                Duration patience = std::chrono::seconds(15));
 
@@ -23,14 +31,24 @@ class PioneerRobot final : public Robot {
   [[nodiscard]] const Clock& clock() const override { return clock_; }
   /// @throws std::runtime_error when the link broke; the robot stands then.
   bool sense(Senses& senses) override;
-  void send(const MotorCommand& command) override { driver_.command(command); }
+  void send(const MotorCommand& command) override;
   void stop() noexcept override;
 
   [[nodiscard]] DriverThread& driver() { return driver_; }
+  /// Null: there is none.
+  [[nodiscard]] TurretLink* turret() { return turret_.get(); }
 
  private:
+  void connect_devices(const PioneerSettings& settings);
+  void wait_for_all(const DevicePlaces& places, Duration patience);
+  [[nodiscard]] std::string who_is_missing(const DevicePlaces& places) const;
+
   SteadyClock clock_;
   DriverThread driver_;
+  // After the driver, so that they end before it: they speak to it.
+  std::unique_ptr<TurretLink> turret_;
+  std::unique_ptr<LaserLink> laser_;
+  std::unique_ptr<StereoCamera> camera_;
   RobotDescription description_;
   TimePoint next_cycle_;
 };

@@ -16,6 +16,8 @@ constexpr Duration kMissedTicks = std::chrono::milliseconds(300);
 constexpr Duration kAskMotorsAgain = std::chrono::milliseconds(500);
 /// A disc speaks every 320 ms; what is older than two turns says nothing.
 constexpr Duration kSonarFresh = std::chrono::milliseconds(700);
+/// The head's thread speaks every few milliseconds.
+constexpr Duration kHeadSilent = std::chrono::milliseconds(500);
 constexpr std::array<std::size_t, 4> kFrontDiscs{2, 3, 4, 5};
 constexpr std::array<std::size_t, 4> kRearDiscs{10, 11, 12, 13};
 constexpr double kCreepsMm_s = 10.0;  ///< slower is standing
@@ -157,8 +159,14 @@ void SafetyGate::limit_by_touch(Motion& motion, TimePoint now) {
 }
 
 bool SafetyGate::laser_is_stale(TimePoint now) const {
+  const Duration longest = from_seconds(settings_.laser_stale_s);
   const RangeScan& laser = session_.base().laser;
-  return !laser.readings.empty() && now - laser.stamp > from_seconds(settings_.laser_stale_s);
+  if (!laser.readings.empty() && now - laser.stamp > longest) return true;
+  return laser_at_ && now - *laser_at_ > longest;
+}
+
+bool SafetyGate::head_fails(TimePoint now) const {
+  return !head_ok_ || (head_told_at_ && now - *head_told_at_ > kHeadSilent);
 }
 
 SafetyGate::Motion SafetyGate::allowed(TimePoint now) {
@@ -177,7 +185,7 @@ SafetyGate::Motion SafetyGate::allowed(TimePoint now) {
     reason_ = HoldReason::battery_low;
   } else if (laser_is_stale(now)) {
     reason_ = HoldReason::laser_stale;
-  } else if (!head_ok_) {
+  } else if (head_fails(now)) {
     reason_ = HoldReason::head_fails;
   }
   if (reason_ != HoldReason::none) return {};

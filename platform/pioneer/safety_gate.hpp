@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "platform/interface/motor_command.hpp"
 #include "platform/pioneer/hold_reason.hpp"
 #include "platform/pioneer/safety_gate_settings.hpp"
@@ -26,8 +28,14 @@ class SafetyGate {
   /// Ends what is latched, switches the motors on, and waits for a newer command.
   void reset(TimePoint now);
 
-  /// A head that is stuck, silent or overloaded may look anywhere: then the robot stands.
-  void set_head_ok(bool ok) { head_ok_ = ok; }
+  /// A head that is stuck, silent or overloaded may look anywhere: then the robot stands, and also
+  /// where this has been said once and is not said again.
+  void set_head_ok(bool ok, TimePoint now) {
+    head_ok_ = ok;
+    head_told_at_ = now;
+  }
+  /// A laser on a line of its own has measured; when it falls silent the robot stands.
+  void laser_has_measured(TimePoint stamp) { laser_at_ = stamp; }
 
   void tick(TimePoint now);
 
@@ -48,6 +56,7 @@ class SafetyGate {
   void latch(HoldReason why, TimePoint now);
   void gap(TimePoint now);
   [[nodiscard]] bool laser_is_stale(TimePoint now) const;
+  [[nodiscard]] bool head_fails(TimePoint now) const;
   [[nodiscard]] Motion allowed(TimePoint now);
   void limit_by_touch(Motion& motion, TimePoint now);
   void limit_by_sonar(Motion& motion, TimePoint now);
@@ -69,6 +78,8 @@ class SafetyGate {
   bool was_ready_ = false;
   bool silent_ = false;
   bool head_ok_ = true;
+  std::optional<TimePoint> head_told_at_;  ///< empty: there is no head
+  std::optional<TimePoint> laser_at_;      ///< empty: there is no laser, or it has not spoken
   bool motors_wanted_ = true;
   bool motors_were_on_ = false;
   TimePoint motors_asked_at_;

@@ -6,7 +6,7 @@
 #include <set>
 #include <thread>
 
-#include "app/serving/arcos_server.hpp"
+#include "app/serving/robot_server.hpp"
 #include "platform/pioneer/pioneer_robot.hpp"
 #include "tests/scenarios/striate_process.hpp"
 
@@ -30,13 +30,13 @@ class Served {
  public:
   explicit Served(ServeSettings settings = {})
       : robot_(hall(), 1, {}, {}),
-        server_(robot_, on_any_port(std::move(settings)), [](const std::string&) {}),
+        server_(robot_, nullptr, on_any_port(std::move(settings)), [](const std::string&) {}),
         thread_([this] { server_.run([this] { return !ends_; }); }) {}
   ~Served() {
     ends_ = true;
     thread_.join();
   }
-  [[nodiscard]] const std::string& url() const { return server_.url(); }
+  [[nodiscard]] const std::string& url() const { return server_.urls().base; }
   [[nodiscard]] ServedState state() const { return server_.state(); }
 
   /// Seconds of the robot's time until it holds.
@@ -52,7 +52,7 @@ class Served {
     return settings;
   }
   ServedPioneer robot_;
-  ArcosServer server_;
+  RobotServer server_;
   std::atomic<bool> ends_{false};
   std::thread thread_;
 };

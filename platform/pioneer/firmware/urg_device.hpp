@@ -13,6 +13,8 @@ namespace striate::pioneer {
 class UrgDevice {
  public:
   void receive(ByteView bytes);
+  /// A scan has been asked for and is due.
+  [[nodiscard]] bool measures(TimePoint now) const { return running_ && now >= next_scan_; }
   /// Call in steps of at most 100 ms. ranges_mm: one for each step of the device's parameters.
   void step(TimePoint now, const std::vector<int>& ranges_mm);
   [[nodiscard]] Bytes take_output();

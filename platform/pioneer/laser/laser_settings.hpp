@@ -4,8 +4,11 @@
 
 namespace striate::pioneer {
 
+enum class LaserKind { hokuyo, lms200 };
+
 /// What both kinds of laser need to know.
 struct LaserSettings {
+  LaserKind kind = LaserKind::hokuyo;
   double forward_m = 0.021;
   double reply_patience_s = 0.5;
   double stale_after_s = 0.5;
@@ -15,6 +18,7 @@ struct LaserSettings {
 template <class V>
 void visit(V& v, LaserSettings& s) {
   using config::Unit;
+  v.choice("kind", s.kind, {"hokuyo", "lms200"}, "SCIP 2.0, or a SICK LMS-200");
   v.number("forward", s.forward_m, Unit::length, {-0.5, 0.5}, "of the laser before the axle");
   v.number("reply_patience", s.reply_patience_s, Unit::duration, {0.05, 10.0},
            "for the reply to a command; then the device is set up from the start");

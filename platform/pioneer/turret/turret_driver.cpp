@@ -13,7 +13,7 @@ namespace {
 /// Position, speed, load, voltage and temperature stand side by side.
 constexpr std::uint8_t kStateSize = 8;
 constexpr double kThereRad = 0.035;
-constexpr double kCloserRad = 0.01;
+constexpr double kProgressRad = 0.015;  ///< three steps of the encoder
 constexpr std::uint16_t kFullTorque = 1023;
 constexpr std::uint16_t kClockwiseLoad = 1U << 10;
 
@@ -31,13 +31,7 @@ void TurretDriver::command(const HeadPose& wanted) {
   for (std::size_t i = 0; i < servos_.size(); ++i) {
     Servo& servo = servos_[i];
     if (!std::isfinite(angles[i])) continue;
-    const double goal = std::clamp(angles[i], -servo.most_rad, servo.most_rad);
-    const bool moved = !servo.goal_rad || std::abs(*servo.goal_rad - goal) > kCloserRad;
-    servo.goal_rad = goal;
-    if (moved) {
-      servo.closest_rad = std::abs(goal - servo.health.angle_rad);
-      servo.closer_at = servo.health.stamp;
-    }
+    servo.goal_rad = std::clamp(angles[i], -servo.most_rad, servo.most_rad);
   }
 }
 
@@ -79,6 +73,8 @@ void TurretDriver::take(Servo& servo, const dynamixel::Packet& packet, TimePoint
   health.voltage_v = reader.u8() / 10.0;
   health.temperature_c = reader.u8();
   health.errors = packet.code;
+  // What it did before, or while it was silent, says nothing about whether it is stuck.
+  if (!health.known || health.silent) begin_to_watch(servo, now);
   if ((packet.code & (Error::overload | Error::overheat)) != 0) health.tripped = true;
   health.known = true;
   health.stamp = now;
@@ -87,15 +83,23 @@ void TurretDriver::take(Servo& servo, const dynamixel::Packet& packet, TimePoint
   watch_progress(servo, now);
 }
 
+void TurretDriver::begin_to_watch(Servo& servo, TimePoint now) {
+  servo.from_rad = servo.health.angle_rad;
+  servo.moved_at = now;
+}
+
+/// By what the servo does, not by how far it has still to go: a goal that moves on must not excuse
+/// a servo that does not.
 void TurretDriver::watch_progress(Servo& servo, TimePoint now) {
-  if (!servo.goal_rad) return;
-  const double left = std::abs(*servo.goal_rad - servo.health.angle_rad);
-  if (left < kThereRad || left < servo.closest_rad - kCloserRad) {
-    servo.closest_rad = left;
-    servo.closer_at = now;
+  const double left = servo.goal_rad ? *servo.goal_rad - servo.health.angle_rad : 0.0;
+  const double towards = (servo.health.angle_rad - servo.from_rad) * (left < 0.0 ? -1.0 : 1.0);
+  if (std::abs(left) < kThereRad || towards >= kProgressRad) {
+    begin_to_watch(servo, now);
     servo.health.stuck = false;
-  } else if (now - servo.closer_at > from_seconds(settings_.stuck_after_s)) {
+  } else if (now - servo.moved_at > from_seconds(settings_.stuck_after_s)) {
     servo.health.stuck = true;
+  } else if (towards < 0.0) {
+    servo.from_rad = servo.health.angle_rad;
   }
 }
 

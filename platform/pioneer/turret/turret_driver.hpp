@@ -82,13 +82,14 @@ class TurretDriver {
     std::uint8_t id = 0;
     double most_rad = 0.0;
     std::optional<double> goal_rad;
-    double closest_rad = 0.0;  ///< to the goal so far
-    TimePoint closer_at;       ///< when it last came closer
+    double from_rad = 0.0;  ///< where it was at `moved_at`
+    TimePoint moved_at;     ///< when it last was there, or had come nearer
     ServoHealth health;
   };
   void ask(TimePoint now);
   void write_goals();
   void take(Servo& servo, const dynamixel::Packet& packet, TimePoint now);
+  static void begin_to_watch(Servo& servo, TimePoint now);
   void watch_progress(Servo& servo, TimePoint now);
   void miss(Servo& servo);
 

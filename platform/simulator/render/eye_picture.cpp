@@ -79,11 +79,11 @@ void EyePicture::trace_all(const View& view) {
 void EyePicture::trace_tile(const View& view, int left, int top) {
   Packet packet;
   packet.start(view.origin, kNear_m, kFar_m);
-  for (unsigned i = 0; i < Packet::kSize; ++i) {
-    const int x = left + static_cast<int>(i % 4);
-    const int y = top + static_cast<int>(i / 4);
-    packet.aim(i, view.ray(static_cast<float>(x), static_cast<float>(y)));
-    if (x >= view.width_px || y >= view.height_px) packet.valid[i] = 0;
+  aim_packet(view, left, top, packet.rays.ray.dir_x, packet.rays.ray.dir_y, packet.rays.ray.dir_z);
+  const int columns = std::min(4, view.width_px - left);
+  const int rows = std::min(4, view.height_px - top);
+  for (int i = 0; (columns < 4 || rows < 4) && i < kPacket; ++i) {
+    if (i % 4 >= columns || i / 4 >= rows) packet.valid[static_cast<std::size_t>(i)] = 0;
   }
   tracer_.intersect(packet, true, people_in(left, top, left + 3, top + 3));
   std::array<Shaded, Packet::kSize> shaded;

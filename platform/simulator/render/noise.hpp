@@ -41,6 +41,7 @@ class GaussTable {
     }
   }
   [[nodiscard]] float operator()(std::uint32_t hash) const { return value_[hash >> (32U - kBits)]; }
+  [[nodiscard]] const float* values() const { return value_.data(); }
 
  private:
   /// Bisection on the error function: slow, exact, only at start.

@@ -1,4 +1,5 @@
 #include "platform/simulator/render/camera_model.hpp"
+#include "platform/simulator/render/read_out_kernel.hpp"
 
 namespace striate::simulator::render {
 namespace {
@@ -123,24 +124,23 @@ void Sensor::read_out(const Exposure& exposure, std::uint64_t frame) {
   const auto electrons =
       static_cast<float>(ExposureControl(settings_).sensitivity() * exposure.shutter_s) * full;
   const auto read_variance = static_cast<float>(settings_.read_noise_e * settings_.read_noise_e);
-  const float noise = settings_.noise ? 1.0F : 0.0F;
   const std::uint32_t key = key_of(seed_, frame);
   const int stride = width_ + 2 * kMargin;
+  ReadOutRow row;
+  row.electrons = electrons;
+  row.full_well_e = full;
+  row.read_variance_e2 = read_variance;
+  row.noise = settings_.noise ? 1.0F : 0.0F;
+  row.gain = static_cast<float>(exposure.gain);
   for (int y = 0; y < height_; ++y) {
     float* out = raw_.data() + (y + kMargin) * stride + kMargin;
-    const V4* in = lens_.data() + y * width_;
-    const float* sensitivity = sensitivity_.data() + y * width_;
-    const std::uint32_t row = mix(key, static_cast<std::uint32_t>(y));
-    for (int x = 0; x < width_; ++x) {
-      const int c = colour_at(x, y);
-      const float filter = kFilter[static_cast<std::size_t>(c)];
-      // A full well holds no more, however bright the light.
-      const float mean = std::min(full, in[x][c] * electrons * sensitivity[x] * filter);
-      const float sigma = std::sqrt(mean + read_variance);
-      const float counted =
-          mean + noise * sigma * gauss_(mix(row + static_cast<std::uint32_t>(x) * 0x9E3779B9U));
-      out[x] = std::min(1.0F, counted * static_cast<float>(exposure.gain) / (full * filter));
+    row.noise_key = mix(key, static_cast<std::uint32_t>(y));
+    for (std::size_t odd = 0; odd < 2; ++odd) {
+      row.colour[odd] = colour_at(static_cast<int>(odd), y);
+      row.filter[odd] = kFilter[static_cast<std::size_t>(row.colour[odd])];
     }
+    read_out_row(row, gauss_, lens_.data() + y * width_, sensitivity_.data() + y * width_, width_,
+                 out);
     // Mirrored margins keep the mosaic's colours in step.
     out[-1] = out[1];
     out[-2] = out[2];
@@ -148,9 +148,9 @@ void Sensor::read_out(const Exposure& exposure, std::uint64_t frame) {
     out[width_ + 1] = out[width_ - 3];
   }
   for (int k = 1; k <= kMargin; ++k) {
-    const auto row = [&](int y) { return raw_.begin() + (y + kMargin) * stride; };
-    std::copy_n(row(k), stride, row(-k));
-    std::copy_n(row(height_ - 1 - k), stride, row(height_ - 1 + k));
+    const auto line = [&](int y) { return raw_.begin() + (y + kMargin) * stride; };
+    std::copy_n(line(k), stride, line(-k));
+    std::copy_n(line(height_ - 1 - k), stride, line(height_ - 1 + k));
   }
 }
 

@@ -1,27 +1,6 @@
 #include "platform/simulator/render/shader.hpp"
 
 namespace striate::simulator::render {
-namespace {
-
-V4 light_at(const Patch& patch, const V4* texels, float u, float v) {
-  const float x = u * static_cast<float>(patch.light_u - 1);
-  const float y = v * static_cast<float>(patch.light_v - 1);
-  const int i = std::min(static_cast<int>(x), patch.light_u - 2);
-  const int j = std::min(static_cast<int>(y), patch.light_v - 2);
-  const float fx = x - static_cast<float>(i);
-  const float fy = y - static_cast<float>(j);
-  const V4* at = texels + patch.light_at + j * patch.light_u + i;
-  return lerp(lerp(at[0], at[1], fx), lerp(at[patch.light_u], at[patch.light_u + 1], fx), fy);
-}
-
-/// Weight of the mirror image: Schlick's approximation for a polished floor (F0 = 0.04).
-float mirrored(float gloss, float facing) {
-  const float k = 1.0F - facing;
-  return gloss * (0.04F + 0.96F * (k * k) * (k * k) * k);
-}
-
-}  // namespace
-
 Shader::Look Shader::look_at(const Packet& packet, unsigned lane, float spread,
                              float before_m) const {
   Look look;
@@ -30,7 +9,8 @@ Shader::Look Shader::look_at(const Packet& packet, unsigned lane, float spread,
   const Patch& patch = look.person ? people_.patches()[number] : stage_.patches[number];
   look.patch = &patch;
   look.material = &stage_.materials[patch.material];
-  look.light = look.person ? people_.light().data() : baked_.texels.data();
+  const V4* light = look.person ? people_.light().data() : baked_.texels.data();
+  look.light = {light + patch.light_at, patch.light_u, patch.light_v};
   if (stage_.sun && patch.may_see_sun) {
     look.sun = stage_.sun->irradiance * std::max(0.0F, dot(patch.normal, stage_.sun->towards));
   }
@@ -108,59 +88,107 @@ void Shader::cast_to_sun(const Packet& packet, const std::array<Vec3, Packet::kS
   }
 }
 
-void Shader::shade(const Packet& packet, float spread, const float* before_m, Shaded* out) const {
-  const bool people = people_near(packet);
-  std::array<float, Packet::kSize> sun{};
-  std::array<Vec3, Packet::kSize> normal;
-  std::array<V4, Packet::kSize> albedo;
-  bool any_sun = false;
-  Look look;
-  unsigned seen = RTC_INVALID_GEOMETRY_ID;  // the patch that `look` is of
+/// Sixteen rays that all meet one patch: nearly nine packets in ten.
+bool Shader::on_one_patch(const Packet& packet) {
+  const unsigned patch = packet.rays.hit.primID[0];
+  const unsigned kind = packet.rays.hit.geomID[0];
+  unsigned differs = kind == RTC_INVALID_GEOMETRY_ID ? 1U : 0U;
   for (unsigned i = 0; i < Packet::kSize; ++i) {
-    if (packet.valid[i] == 0) continue;
-    Shaded& pixel = out[i];
-    if (!packet.hit(i)) {
-      pixel.colour = stage_.outdoors(packet.direction(i)) * splat(stage_.sky);
-      pixel.colour[3] = 0.0F;
-      pixel.group = kNothing;
-      continue;
-    }
-    const unsigned id = packet.rays.hit.primID[i] * 2 + packet.rays.hit.geomID[i];
-    if (id != seen || look.patch == nullptr)
-      look = look_at(packet, i, spread, before_m == nullptr ? 0.0F : before_m[i]);
-    seen = id;
-    const Patch& patch = *look.patch;
-    pixel.group = patch.group;
-    if (look.material->shines) {
-      pixel.colour = look.material->emission;
-      continue;
-    }
-    const float u = packet.rays.hit.u[i];
-    const float v = packet.rays.hit.v[i];
-    albedo[i] = look.material->texture->sample(*look.level[(i ^ (i >> 2U)) & 1U],
-                                               Patch::at(patch.s, u, v), Patch::at(patch.t, u, v));
-    V4 light = light_at(patch, look.light, u, v);
-    if (look.sun > 0.0F && light[3] > 0.0F) {
-      sun[i] = look.sun;
-      normal[i] = patch.normal;
-      any_sun = true;
-    }
-    light *=
-        splat(people && !look.person ? flicker_ * hidden_by_people(packet.place(i), patch.normal)
-                                     : flicker_);
-    float mirror = 0.0F;
-    if (look.material->gloss > 0.0F) {
-      const Vec3 d = packet.direction(i);
-      mirror = mirrored(look.material->gloss, std::abs(dot(d, patch.normal)) / length(d));
-      albedo[i] *= splat(1.0F - mirror);
-    }
-    pixel.colour = albedo[i] * light;
-    pixel.colour[3] = mirror;
+    differs |= (packet.rays.hit.primID[i] ^ patch) | (packet.rays.hit.geomID[i] ^ kind) |
+               static_cast<unsigned>(packet.valid[i] + 1);
   }
-  if (!any_sun) return;
-  cast_to_sun(packet, normal, sun);
+  return differs == 0;
+}
+
+/// What reaches the eye of the light on the lane's place; what the sun adds comes later.
+void Shader::light_up(const Packet& packet, unsigned lane, const Look& look, Lanes& lanes,
+                      Shaded& out) const {
+  const Patch& patch = *look.patch;
+  V4 light = lanes.light[lane];
+  if (look.sun > 0.0F && light[3] > 0.0F) {
+    lanes.sun[lane] = look.sun;
+    lanes.normal[lane] = patch.normal;
+    lanes.any_sun = true;
+  }
+  light *= splat(lanes.people && !look.person
+                     ? flicker_ * hidden_by_people(packet.place(lane), patch.normal)
+                     : flicker_);
+  const float mirror = lanes.mirror[lane];
+  lanes.albedo[lane] *= splat(1.0F - mirror);
+  out.colour = lanes.albedo[lane] * light;
+  out.colour[3] = mirror;
+}
+
+void Shader::shade_one_patch(const Packet& packet, const Look& look, Lanes& lanes,
+                             Shaded* out) const {
+  for (unsigned i = 0; i < Packet::kSize; ++i) out[i].group = look.patch->group;
+  if (look.material->shines) {
+    for (unsigned i = 0; i < Packet::kSize; ++i) out[i].colour = look.material->emission;
+    return;
+  }
+  const PacketTexture surface{look.material->texture.get(), look.level, look.patch->s,
+                              look.patch->t};
+  sample_packet(surface, packet.rays.hit.u, packet.rays.hit.v, lanes.albedo.data());
+  light_packet(look.light, packet.rays.hit.u, packet.rays.hit.v, lanes.light.data());
+  if (look.material->gloss > 0.0F) {
+    const RTCRay16& rays = packet.rays.ray;
+    mirror_packet(look.material->gloss, look.patch->normal, rays.dir_x, rays.dir_y, rays.dir_z,
+                  lanes.mirror.data());
+  }
+  for (unsigned i = 0; i < Packet::kSize; ++i) light_up(packet, i, look, lanes, out[i]);
+}
+
+void Shader::shade_lane(const Packet& packet, unsigned lane, const Look& look, Lanes& lanes,
+                        Shaded& out) const {
+  out.group = look.patch->group;
+  if (look.material->shines) {
+    out.colour = look.material->emission;
+    return;
+  }
+  const float u = packet.rays.hit.u[lane];
+  const float v = packet.rays.hit.v[lane];
+  lanes.albedo[lane] = look.material->texture->sample(*look.level[(lane ^ (lane >> 2U)) & 1U],
+                                                      Patch::at(look.patch->s, u, v),
+                                                      Patch::at(look.patch->t, u, v));
+  lanes.light[lane] = baked_light_at(look.light, u, v);
+  if (look.material->gloss > 0.0F) {
+    const Vec3 d = packet.direction(lane);
+    const float facing = std::abs(dot(d, look.patch->normal)) / length(d);
+    lanes.mirror[lane] = mirrored(look.material->gloss, facing);
+  }
+  light_up(packet, lane, look, lanes, out);
+}
+
+void Shader::shade(const Packet& packet, float spread, const float* before_m, Shaded* out) const {
+  Lanes lanes;
+  lanes.people = people_near(packet);
+  const auto look_along = [&](unsigned i) {
+    return look_at(packet, i, spread, before_m == nullptr ? 0.0F : before_m[i]);
+  };
+  if (on_one_patch(packet)) {
+    shade_one_patch(packet, look_along(0), lanes, out);
+  } else {
+    Look look;
+    unsigned seen = RTC_INVALID_GEOMETRY_ID;  // the patch that `look` is of
+    for (unsigned i = 0; i < Packet::kSize; ++i) {
+      if (packet.valid[i] == 0) continue;
+      if (!packet.hit(i)) {
+        out[i].colour = stage_.outdoors(packet.direction(i)) * splat(stage_.sky);
+        out[i].colour[3] = 0.0F;
+        out[i].group = kNothing;
+        continue;
+      }
+      const unsigned id = packet.rays.hit.primID[i] * 2 + packet.rays.hit.geomID[i];
+      if (id != seen || look.patch == nullptr) look = look_along(i);
+      seen = id;
+      shade_lane(packet, i, look, lanes, out[i]);
+    }
+  }
+  if (!lanes.any_sun) return;
+  cast_to_sun(packet, lanes.normal, lanes.sun);
   for (unsigned i = 0; i < Packet::kSize; ++i) {
-    if (sun[i] > 0.0F) out[i].colour += albedo[i] * bgr(0.86F, 0.97F, 1.06F) * splat(sun[i]);
+    if (lanes.sun[i] > 0.0F)
+      out[i].colour += lanes.albedo[i] * bgr(0.86F, 0.97F, 1.06F) * splat(lanes.sun[i]);
   }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "platform/simulator/render/packet_kernels.hpp"
 #include "platform/simulator/render/people.hpp"
 #include "platform/simulator/render/stage.hpp"
 
@@ -33,10 +34,26 @@ class Shader {
     const Material* material = nullptr;
     /// Two mip levels a little apart, used in turn: no border is seen where the level changes.
     std::array<const Texture::Level*, 2> level{};
-    const V4* light = nullptr;
+    PacketLight light;
     float sun = 0.0F;  ///< irradiance where it shines on the patch
     bool person = false;
   };
+  /// What shading one packet passes from step to step.
+  struct Lanes {
+    std::array<float, Packet::kSize> sun{};
+    std::array<Vec3, Packet::kSize> normal;  ///< set where the sun is
+    std::array<V4, Packet::kSize> albedo;
+    std::array<V4, Packet::kSize> light;
+    std::array<float, Packet::kSize> mirror{};  ///< weight of the mirror image
+    bool any_sun = false;
+    bool people = false;  ///< any hit may lie in somebody's contact shadow
+  };
+  [[nodiscard]] static bool on_one_patch(const Packet& packet);
+  void light_up(const Packet& packet, unsigned lane, const Look& look, Lanes& lanes,
+                Shaded& out) const;
+  void shade_one_patch(const Packet& packet, const Look& look, Lanes& lanes, Shaded* out) const;
+  void shade_lane(const Packet& packet, unsigned lane, const Look& look, Lanes& lanes,
+                  Shaded& out) const;
   [[nodiscard]] Look look_at(const Packet& packet, unsigned lane, float spread,
                              float before_m) const;
   [[nodiscard]] float hidden_by_people(Vec3 place, Vec3 normal) const;

@@ -40,6 +40,8 @@ class Texture {
   }
   /// Linear albedo at (s, t) in repeats of the picture, s right, t down; bilinear.
   [[nodiscard]] V4 sample(const Level& level, float s, float t) const;
+  /// For those who know where texels lie; see Level.
+  [[nodiscard]] const std::uint32_t* texels() const { return texels_.data(); }
 
  private:
   /// Where a texel lies: across(x) + down(y).

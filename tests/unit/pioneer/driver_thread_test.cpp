@@ -23,17 +23,29 @@ class RobotLine final : public Transport {
   [[nodiscard]] bool is_opening() const override { return false; }
   [[nodiscard]] bool is_open() const override { return open_; }
   [[nodiscard]] Bytes read() override {
-    firmware_.step(clock_.now(), 5ms, {});
+    const TimePoint now = clock_.now();
+    FirmwareSenses felt;
+    felt.odometry.forward_m_s = firmware_.forward_m_s();
+    firmware_.step(now, stepped_at_ == TimePoint() ? 5ms : now - stepped_at_, felt);
+    stepped_at_ = now;
     forward_m_s_ = firmware_.forward_m_s();
     return firmware_.take_output();
   }
-  void write(ByteView bytes) override { firmware_.receive(bytes, clock_.now()); }
+  void write(ByteView bytes) override {
+    const bool had_motors = firmware_.motors_on();
+    const double forward_m_s = firmware_.forward_m_s();
+    firmware_.receive(bytes, clock_.now());
+    if (had_motors && !firmware_.motors_on() && motors_off_at_m_s) *motors_off_at_m_s = forward_m_s;
+  }
   void wait(Duration at_most) override { std::this_thread::sleep_for(at_most); }
+
+  double* motors_off_at_m_s = nullptr;  ///< how fast it was when its motors went off
 
  private:
   const Clock& clock_;
   std::atomic<double>& forward_m_s_;
   ArcosFirmware firmware_;
+  TimePoint stepped_at_;
   bool open_ = false;
 };
 
@@ -61,6 +73,28 @@ TEST(DriverThread, DrivesStopsByItselfAndObeysTheEmergencyStop) {
   driver.reset();
   push(100);
   EXPECT_GT(forward_m_s, 0.1);
+}
+
+TEST(DriverThread, BrakesToAStandBeforeTheMotorsGoOff) {
+  const SteadyClock clock;
+  std::atomic<double> forward_m_s{0.0};
+  double motors_off_at_m_s = -1.0;
+  double before_m_s = 0.0;
+  {
+    auto line = std::make_unique<RobotLine>(clock, forward_m_s);
+    line->motors_off_at_m_s = &motors_off_at_m_s;
+    DriverThread driver({}, std::move(line), clock);
+    ASSERT_TRUE(driver.wait_until_it_can_drive(10s));
+    const TimePoint begin = clock.now();
+    while (forward_m_s < 0.29 && clock.now() - begin < 5s) {
+      driver.command({.forward_m_s = 0.3});
+      std::this_thread::sleep_for(10ms);
+    }
+    before_m_s = forward_m_s;
+  }
+  EXPECT_GT(before_m_s, 0.25);
+  EXPECT_GE(motors_off_at_m_s, 0.0) << "they did go off";
+  EXPECT_LT(motors_off_at_m_s, 0.02);
 }
 
 TEST(DriverThread, TellsWhyThereIsNoRobot) {

@@ -109,6 +109,44 @@ TEST(TurretDriver, ABlockedServoIsStuckAndThenTripsUntilReset) {
   EXPECT_NEAR(head.driver.pose().pan_rad, 0.0, 0.01);
 }
 
+TEST(TurretDriver, AGoalThatMovesOnDoesNotExcuseAServoThatDoesNot) {
+  Head head;
+  head.run(0.2);
+  head.bus.servos[0].blocked = true;
+  const TimePoint begin = head.now;
+  while (!head.driver.pan().stuck && head.now - begin < std::chrono::seconds(3)) {
+    head.driver.command({0.5 * to_seconds(head.now - begin) - 1.0, -0.3});
+    head.step();
+  }
+  EXPECT_LT(to_seconds(head.now - begin), 1.1);
+}
+
+TEST(TurretDriver, AServoThatFollowsAGoalThatMovesOnIsNotStuck) {
+  Head head;
+  head.run(0.2);
+  for (double t = 0.0; t < 4.0; t += to_seconds(Head::kStep)) {
+    head.driver.command({0.8 - 0.4 * t, -0.3});  // always a little behind
+    head.step();
+    ASSERT_TRUE(head.driver.ok()) << t;
+  }
+  EXPECT_LT(head.driver.pose().pan_rad, -0.6);
+}
+
+TEST(TurretDriver, ACommandBeforeTheFirstReplyIsNotCountedAgainstTheServo) {
+  Head head;
+  head.bus.servos[0].connected = head.bus.servos[1].connected = false;
+  head.driver.command({0.0, 0.0});
+  head.run(3.0);
+  head.bus.servos[0].connected = head.bus.servos[1].connected = true;
+  head.run_until([&] { return head.driver.pan().known && head.driver.tilt().known; });
+  EXPECT_TRUE(head.driver.ok());
+  for (int i = 0; i < 300; ++i) {
+    head.step();
+    ASSERT_TRUE(head.driver.ok()) << "it moves to where it was told to";
+  }
+  EXPECT_NEAR(head.driver.pose().pan_rad, 0.0, 0.01);
+}
+
 TEST(TurretDriver, LostAndSpoiledRepliesAreAskedForAgain) {
   Head head;
   int count = 0;
@@ -132,7 +170,7 @@ TEST(TurretDriver, AHeadThatIsStuckMakesTheRobotStand) {
   head.run(0.2);
   const auto step = [&] {
     for (int i = 0; i < 2; ++i) head.step();
-    bed.driver.gate().set_head_ok(head.driver.ok());
+    bed.driver.gate().set_head_ok(head.driver.ok(), bed.now);
     bed.step();
   };
   for (int i = 0; i < 20; ++i) step();
@@ -146,6 +184,16 @@ TEST(TurretDriver, AHeadThatIsStuckMakesTheRobotStand) {
   EXPECT_EQ(bed.driver.gate().reason(), HoldReason::head_fails);
   for (int i = 0; i < 300; ++i) step();
   EXPECT_EQ(bed.firmware.forward_m_s(), 0.0);
+}
+
+TEST(TurretDriver, AHeadThatIsNotHeardOfAnyMoreMakesTheRobotStand) {
+  TestBed bed;
+  bed.drive();
+  bed.driver.gate().set_head_ok(true, bed.now);
+  const double took_s = bed.run_until([&] { return bed.firmware.commanded_to_stand(); });
+  EXPECT_GT(took_s, 0.45);
+  EXPECT_LT(took_s, 0.55);
+  EXPECT_EQ(bed.driver.gate().reason(), HoldReason::head_fails);
 }
 
 TEST(ServoBus, AnswersTheRecordedClientAsTheRealServosDid) {

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/robot_mission.hpp"
+
+namespace striate {
+
+/// `striate run TASK --robot FILE`, without a world: the robot is a real one.
+struct RunOnRobotOptions {
+  RobotMissionOptions mission;
+  std::vector<std::string> given;  ///< "way=20 m"
+  std::string result;
+  bool quiet = false;
+  bool json = false;
+};
+
+/// Runs the task to its end. @returns the exit code.
+int run_on_robot(const RunOnRobotOptions& options);
+
+}  // namespace striate

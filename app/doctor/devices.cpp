@@ -1,0 +1,160 @@
+#include "app/doctor/devices.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <fstream>
+#include <thread>
+
+#include "config/user_error.hpp"
+#include "platform/pioneer/camera/frame_source.hpp"
+#include "platform/pioneer/camera/rectifier.hpp"
+#include "platform/pioneer/steady_clock.hpp"
+#include "platform/pioneer/transport.hpp"
+
+namespace striate {
+namespace {
+
+namespace fs = std::filesystem;
+using Grade = Finding::Grade;
+/// A turret's reply waits so long in an FTDI's buffer unless it is told otherwise.
+constexpr int kSlowLatency_ms = 2;
+constexpr auto kOpenPatience = std::chrono::milliseconds(1500);
+constexpr auto kTick = std::chrono::milliseconds(10);
+
+std::vector<fs::path> named(const fs::path& folder, const std::vector<std::string>& beginnings) {
+  std::vector<fs::path> found;
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(folder, error)) {
+    const std::string name = entry.path().filename();
+    for (const std::string& beginning : beginnings) {
+      if (name.rfind(beginning, 0) == 0) found.push_back(entry.path());
+    }
+  }
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+bool may_use(const fs::path& device) {
+  return ::access(device.c_str(), R_OK | W_OK) == 0;
+}
+
+Finding permission(const fs::path& device, const char* kind, const char* group) {
+  if (may_use(device)) return {Grade::good, device, std::string(kind) + ", may be opened", {}};
+  return {Grade::wrong, device, std::string(kind) + ", but this user may not open it",
+          fmt::format("sudo usermod -aG {} $USER, then log in again", group)};
+}
+
+void look_at_latency(const fs::path& port, const fs::path& sys, Findings& findings) {
+  std::ifstream file(sys / "bus/usb-serial/devices" / port.filename() / "latency_timer");
+  int latency_ms = 0;
+  if (!(file >> latency_ms) || latency_ms <= kSlowLatency_ms) return;
+  findings.push_back(
+      {Grade::note, port, fmt::format("holds bytes back for up to {} ms", latency_ms),
+       fmt::format("for a turret: echo 1 | sudo tee {}/bus/usb-serial/devices/{}/latency_timer",
+                   sys.string(), port.filename().string())});
+}
+
+Finding look_at_line(const std::string& name, const std::string& url) {
+  const std::string about = name + " " + url;
+  try {
+    const auto line = pioneer::make_transport(url);
+    const auto end = std::chrono::steady_clock::now() + kOpenPatience;
+    line->open();
+    while (line->is_opening() && std::chrono::steady_clock::now() < end) line->wait(kTick);
+    if (line->is_open()) return {Grade::good, about, "can be opened", {}};
+    const std::string why = line->trouble();
+    return {Grade::wrong, about, why.empty() ? "does not answer" : why,
+            "switch it on, look at the cable, and at the place in the robot file"};
+  } catch (const UserError& error) {
+    return {Grade::wrong, about, error.what(), "correct the place in the robot file"};
+  }
+}
+
+Finding look_at_video(const std::string& url) {
+  const std::string about = "camera " + url;
+  try {
+    const bool bee = url.rfind("bumblebee:", 0) == 0;
+    const std::string spec = url.substr(url.find(':') + 1);
+    const auto source =
+        bee ? pioneer::make_bumblebee_source(spec) : pioneer::make_video_source(spec);
+    source->open();
+    cv::Mat3b left;
+    cv::Mat3b right;
+    if (source->grab(left, right)) {
+      return {
+          Grade::good, about, fmt::format("gives pairs of {} x {} px", left.cols, left.rows), {}};
+    }
+    return {Grade::wrong, about, "gives no picture", "look at the cable, or give another device"};
+  } catch (const std::exception& error) {
+    return {Grade::wrong, about, error.what(), "correct the place in the robot file"};
+  }
+}
+
+Finding look_at_calibration(const pioneer::StereoCameraSettings& camera) {
+  try {
+    const auto calibration = pioneer::read_calibration(camera.calibration);
+    const pioneer::Rectifier rectifier(calibration, camera.width_px);
+    return {Grade::good,
+            camera.calibration,
+            fmt::format("rectification {:.2f} px", calibration.epipolar_px),
+            {}};
+  } catch (const UserError& error) {
+    return {Grade::wrong, camera.calibration, error.what(), "striate calibrate FOLDER"};
+  }
+}
+
+}  // namespace
+
+Findings look_at_devices(const DeviceFolders& folders) {
+  Findings findings;
+  const auto ports = named(folders.dev, {"ttyUSB", "ttyACM"});
+  for (const fs::path& port : ports) {
+    findings.push_back(permission(port, "serial port", "dialout"));
+    look_at_latency(port, folders.sys, findings);
+  }
+  if (ports.empty()) {
+    findings.push_back({Grade::note, "serial ports", "no USB serial port is there",
+                        "only a robot on TCP can be driven; plug the adapter in"});
+  }
+  const auto cameras = named(folders.dev, {"video"});
+  for (const fs::path& camera : cameras) {
+    findings.push_back(permission(camera, "camera", "video"));
+  }
+  if (cameras.empty()) {
+    findings.push_back({Grade::note, "cameras", "none is there",
+                        "only pictures from the network or a file can be seen"});
+  }
+  for (const fs::path& bus : named(folders.dev, {"fw"})) {
+    findings.push_back(permission(bus, "FireWire", "video"));
+  }
+  if (!pioneer::knows_bumblebee()) {
+    findings.push_back({Grade::note, "Bumblebee-2", "this program was built without libdc1394",
+                        "apt-get install libdc1394-dev, and build again"});
+  }
+  return findings;
+}
+
+Findings look_at_places(const pioneer::PioneerSettings& settings) {
+  const pioneer::DevicePlaces& places = settings.devices;
+  Findings findings;
+  if (places.base.empty()) {
+    return {{Grade::note, "robot", "the robot file names no base: it is for the simulator", {}}};
+  }
+  findings.push_back(look_at_line("base", places.base));
+  if (!places.turret.empty()) findings.push_back(look_at_line("turret", places.turret));
+  if (!places.laser.empty()) findings.push_back(look_at_line("laser", places.laser));
+  const std::string& camera = places.camera;
+  if (camera.rfind("video:", 0) == 0 || camera.rfind("bumblebee:", 0) == 0) {
+    findings.push_back(look_at_video(camera));
+    if (!settings.camera.calibration.empty()) {
+      findings.push_back(look_at_calibration(settings.camera));
+    }
+  } else if (!camera.empty()) {
+    findings.push_back(look_at_line("camera", camera));
+  }
+  return findings;
+}
+
+}  // namespace striate

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <filesystem>
+
+#include "app/doctor/finding.hpp"
+#include "platform/pioneer/pioneer_settings.hpp"
+
+namespace striate {
+
+/// Where the system shows its devices; tests bring folders of their own.
+struct DeviceFolders {
+  std::filesystem::path dev = "/dev";
+  std::filesystem::path sys = "/sys";
+};
+
+/// Serial ports and cameras that the machine has, and whether this user may open them.
+[[nodiscard]] Findings look_at_devices(const DeviceFolders& folders);
+
+/// The places that a robot file names: does anything answer there?
+[[nodiscard]] Findings look_at_places(const pioneer::PioneerSettings& settings);
+
+}  // namespace striate

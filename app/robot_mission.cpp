@@ -1,0 +1,104 @@
+#include "app/robot_mission.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+
+#include "config/user_error.hpp"
+
+namespace striate {
+namespace {
+
+constexpr double kStands_m_s = 0.01;
+constexpr double kStands_rad_s = 0.02;
+
+RobotSettings settings_for(const RobotMissionOptions& options) {
+  RobotSettings settings = load_robot_settings(options.robot);
+  if (!options.emergency_layer) settings.safety.emergency_layer = false;
+  const pioneer::DevicePlaces& places = settings.pioneer.devices;
+  if (places.base.empty() || places.camera.empty()) {
+    throw UserError(
+        "striate run: without --world the task is run with a real robot, and --robot FILE must say "
+        "where its base and its camera are\n"
+        "  hint: config/robots/pioneer.yaml does");
+  }
+  return settings;
+}
+
+}  // namespace
+
+RobotMission::RobotMission(const RobotMissionOptions& options)
+    : options_(options),
+      settings_(settings_for(options)),
+      executive_(load_task(options.task, RobotDescription{}, options.given)),
+      robot_(std::make_unique<pioneer::PioneerRobot>(settings_.pioneer)),
+      watched_(std::make_unique<StopwatchRobot>(*robot_)),
+      cycle_(std::make_unique<CognitiveCycle>(*watched_, settings_, executive_)),
+      began_(robot_->clock().now()),
+      stands_since_(began_) {}
+
+RunResult RobotMission::run(const EachCycle& each_cycle) {
+  try {
+    while (true) {
+      const auto begin = std::chrono::steady_clock::now();
+      const bool goes_on = cycle_->step();
+      wall_s_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+      ++cycles_;
+      one_cycle_on();
+      if (each_cycle(*this)) executive_.interrupt(MissionState::interrupted, "interrupted");
+      if (!goes_on) break;
+    }
+  } catch (const std::exception& error) {
+    lost_ = error.what();
+  }
+  watched_->stop();
+  return result();
+}
+
+void RobotMission::one_cycle_on() {
+  const Senses& senses = cycle_->trace().senses;
+  const Odometry& odometry = senses.odometry;
+  if (cycles_ > 1) {
+    driven_m_ += std::hypot(odometry.pose.x_m - last_pose_.x_m, odometry.pose.y_m - last_pose_.y_m);
+  }
+  last_pose_ = odometry.pose;
+  const bool stands =
+      std::abs(odometry.forward_m_s) < kStands_m_s && std::abs(odometry.turn_rad_s) < kStands_rad_s;
+  if (!stands) stands_since_ = senses.now;
+  longest_stand_s_ = std::max(longest_stand_s_, to_seconds(senses.now - stands_since_));
+}
+
+double RobotMission::mean_cycle_ms() const {
+  if (cycles_ == 0) return 0.0;
+  return 1000.0 * (wall_s_ - watched_->sense_s()) / static_cast<double>(cycles_);
+}
+
+RunResult RobotMission::result() const {
+  RunResult result;
+  result.reason = executive_.reason();
+  if (!lost_.empty()) {
+    result.outcome = "lost";
+    result.reason = lost_;
+  } else if (executive_.state() == MissionState::interrupted) {
+    result.outcome = "interrupted";
+  } else if (executive_.state() == MissionState::succeeded) {
+    result.outcome = "success";
+    result.reason.clear();
+  } else {
+    result.outcome = "task_failed";
+  }
+  result.reached_goal = result.outcome == "success";
+  result.distance_m = driven_m_;
+  result.duration_s = to_seconds(robot_->clock().now() - began_);
+  result.emergency_stops = cycle_->limiter().emergency_stops();
+  result.longest_stand_s = longest_stand_s_;
+  result.cycles = cycles_;
+  result.mean_cycle_ms = mean_cycle_ms();
+  result.realtime_factor = 1.0;
+  result.world = settings_.pioneer.devices.base;
+  result.task = options_.task;
+  result.emergency_layer = settings_.safety.emergency_layer;
+  return result;
+}
+
+}  // namespace striate

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "app/cognitive_cycle.hpp"
+#include "app/run_result.hpp"
+#include "app/stopwatch_robot.hpp"
+#include "platform/pioneer/pioneer_robot.hpp"
+#include "tasks/task_reader.hpp"
+
+namespace striate {
+
+/// What `striate run` without a world is asked for.
+struct RobotMissionOptions {
+  std::string task;
+  std::string robot;  ///< settings file that says where the devices are
+  GivenVariables given;
+  bool emergency_layer = true;
+};
+
+/// One run of a task with a real robot, or one that is served like a real one. Nobody judges it but
+/// the task itself.
+class RobotMission {
+ public:
+  /// Reads and checks everything, then connects. @throws UserError with all mistakes of the task or
+  /// the settings, std::runtime_error when the robot does not come up.
+  explicit RobotMission(const RobotMissionOptions& options);
+
+  /// Called after each cycle; returns true to ask for a safe end (Ctrl-C).
+  using EachCycle = std::function<bool(const RobotMission&)>;
+
+  /// Drives to the end, whatever that is; never throws for what happens on the way.
+  RunResult run(const EachCycle& each_cycle);
+
+  [[nodiscard]] const CognitiveCycle& cycle() const { return *cycle_; }
+  [[nodiscard]] const Executive& executive() const { return executive_; }
+  /// Why the safety gate holds the robot, or slows it.
+  [[nodiscard]] pioneer::HoldReason hold() { return robot_->driver().report().hold; }
+  [[nodiscard]] double mean_cycle_ms() const;
+
+ private:
+  void one_cycle_on();
+  [[nodiscard]] RunResult result() const;
+
+  RobotMissionOptions options_;
+  RobotSettings settings_;
+  Executive executive_;
+  std::unique_ptr<pioneer::PioneerRobot> robot_;
+  std::unique_ptr<StopwatchRobot> watched_;
+  std::unique_ptr<CognitiveCycle> cycle_;
+  std::uint64_t cycles_ = 0;
+  double wall_s_ = 0.0;
+  double driven_m_ = 0.0;
+  Pose2 last_pose_;
+  TimePoint began_;
+  TimePoint stands_since_;
+  double longest_stand_s_ = 0.0;
+  std::string lost_;  ///< why the robot was lost; empty: it was not
+};
+
+}  // namespace striate

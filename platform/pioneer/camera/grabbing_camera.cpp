@@ -1,0 +1,84 @@
+#include "platform/pioneer/camera/grabbing_camera.hpp"
+
+#include <cmath>
+#include <exception>
+#include <opencv2/imgproc.hpp>
+
+namespace striate::pioneer {
+namespace {
+
+constexpr auto kOpenAgain = std::chrono::milliseconds(500);
+constexpr auto kLook = std::chrono::milliseconds(20);
+
+}  // namespace
+
+GrabbingCamera::GrabbingCamera(std::unique_ptr<FrameSource> source,
+                               const StereoCameraSettings& settings, const Clock& clock)
+    : source_(std::move(source)), settings_(settings), clock_(clock) {
+  if (!settings.calibration.empty()) {
+    rectifier_.emplace(read_calibration(settings.calibration), settings.width_px);
+  }
+  thread_ = std::thread([this] { run(); });
+}
+
+GrabbingCamera::~GrabbingCamera() {
+  ends_ = true;
+  thread_.join();
+}
+
+/// Pictures that were rectified elsewhere, made smaller.
+StereoFrame GrabbingCamera::as_it_is(const cv::Mat3b& left, const cv::Mat3b& right) const {
+  StereoFrame frame;
+  const double by = static_cast<double>(settings_.width_px) / left.cols;
+  const cv::Size size(settings_.width_px, static_cast<int>(std::lround(left.rows * by)));
+  cv::resize(left, frame.left, size, 0.0, 0.0, cv::INTER_AREA);
+  cv::resize(right, frame.right, size, 0.0, 0.0, cv::INTER_AREA);
+  frame.focal_px = size.width / 2.0 / std::tan(settings_.field_rad / 2.0);
+  frame.centre_u_px = (size.width - 1) / 2.0;
+  frame.centre_v_px = (size.height - 1) / 2.0;
+  frame.baseline_m = settings_.baseline_m;
+  return frame;
+}
+
+void GrabbingCamera::hand_on(const cv::Mat3b& left, const cv::Mat3b& right) {
+  StereoFrame frame;
+  const TimePoint stamp = clock_.now() - from_seconds(settings_.latency_s);
+  const cv::Mat3b& seen_left = settings_.swap ? right : left;
+  const cv::Mat3b& seen_right = settings_.swap ? left : right;
+  if (rectifier_) {
+    rectifier_->rectify(seen_left, seen_right, frame);
+  } else {
+    frame = as_it_is(seen_left, seen_right);
+  }
+  frame.stamp = stamp;
+  newest_.put(std::move(frame));
+}
+
+void GrabbingCamera::grab_on() {
+  cv::Mat3b left;
+  cv::Mat3b right;
+  source_->open();
+  while (!ends_) {
+    if (!source_->grab(left, right)) {
+      trouble_.put("no more pictures come");
+      break;
+    }
+    hand_on(left, right);
+    trouble_.put({});
+  }
+}
+
+void GrabbingCamera::run() {
+  while (!ends_) {
+    try {
+      grab_on();
+    } catch (const std::exception& error) {
+      trouble_.put(error.what());
+    }
+    source_->close();
+    const auto end = std::chrono::steady_clock::now() + kOpenAgain;
+    while (!ends_ && std::chrono::steady_clock::now() < end) std::this_thread::sleep_for(kLook);
+  }
+}
+
+}  // namespace striate::pioneer

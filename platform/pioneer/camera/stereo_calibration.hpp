@@ -1,0 +1,36 @@
+#pragma once
+
+#include <opencv2/core/mat.hpp>
+#include <opencv2/core/matx.hpp>
+#include <string>
+
+namespace striate::pioneer {
+
+/// One camera of a pair: the pinhole's matrix and the lens's distortion (k1 k2 p1 p2 k3).
+struct CameraModel {
+  cv::Matx33d matrix = cv::Matx33d::eye();
+  cv::Vec<double, 5> distortion{};
+};
+
+/// What is known of a stereo camera. A point X of the left camera is R X + t in the right one.
+struct StereoCalibration {
+  cv::Size size_px;  ///< of the pictures that it was made from, and that it holds for
+  CameraModel left;
+  CameraModel right;
+  cv::Matx33d rotation = cv::Matx33d::eye();
+  cv::Vec3d translation_m{};
+  int pairs = 0;                 ///< of pictures that went into it
+  double reprojection_px = 0.0;  ///< root mean square, from where the corners should be
+  double epipolar_px = 0.0;  ///< root mean square of the height between matching corners, rectified
+};
+
+/// The same cameras with pictures of another width; the shape stays.
+[[nodiscard]] StereoCalibration scaled(const StereoCalibration& calibration, int width_px);
+
+/// YAML as OpenCV's FileStorage writes it.
+/// @throws UserError when the file cannot be read or does not hold a calibration.
+[[nodiscard]] StereoCalibration read_calibration(const std::string& file);
+/// @throws std::runtime_error when it cannot be written.
+void write_calibration(const std::string& file, const StereoCalibration& calibration);
+
+}  // namespace striate::pioneer

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <string>
+
+#include "config/settings.hpp"
+#include "platform/interface/robot.hpp"
+
+namespace striate::pioneer {
+
+/// Of cameras that are read here; a picture stream brings its own numbers and needs only the mount.
+struct StereoCameraSettings {
+  double height_m = RobotDescription{}.camera_height_m;
+  double forward_m = RobotDescription{}.camera_forward_m;
+  std::string calibration;
+  bool swap = false;
+  int width_px = 320;
+  double latency_s = 0.05;
+  double field_rad = radians(43.0);
+  double baseline_m = 0.12;
+};
+
+template <class V>
+void visit(V& v, StereoCameraSettings& s) {
+  using config::Unit;
+  v.number("height", s.height_m, Unit::length, {0.1, 2.5}, "of the cameras above the floor");
+  v.number("forward", s.forward_m, Unit::length, {-0.5, 0.5}, "of the pan axis before the axle");
+  v.text("calibration", s.calibration,
+         "file of 'striate calibrate'; without it the pictures must be rectified already");
+  v.flag("swap", s.swap, "the camera gives right and left the other way round");
+  v.integer("width", s.width_px, {32, 1280}, "pixels a line of what the vision gets");
+  v.number("latency", s.latency_s, Unit::duration, {0.0, 2.0}, "from light to picture");
+  v.number("field", s.field_rad, Unit::angle, {radians(10), radians(120)},
+           "horizontal view, where there is no calibration");
+  v.number("baseline", s.baseline_m, Unit::length, {0.01, 1.0},
+           "between the eyes, where there is no calibration");
+}
+
+}  // namespace striate::pioneer

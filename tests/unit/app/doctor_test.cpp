@@ -1,0 +1,103 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "app/doctor/configuration.hpp"
+#include "app/doctor/devices.hpp"
+#include "app/doctor/machine.hpp"
+#include "tests/reference/temporary_folder.hpp"
+
+namespace striate {
+namespace {
+
+namespace fs = std::filesystem;
+using Grade = Finding::Grade;
+
+const Finding* about(const Findings& findings, const std::string& what) {
+  for (const Finding& finding : findings) {
+    if (finding.about.find(what) != std::string::npos) return &finding;
+  }
+  return nullptr;
+}
+
+void write(const fs::path& file, const std::string& text) {
+  fs::create_directories(file.parent_path());
+  std::ofstream(file) << text;
+}
+
+TEST(Doctor, FindsThisMachineGoodEnoughAndTellsABadOne) {
+  const Machine here = this_machine();
+  EXPECT_GT(here.cores, 0u);
+  EXPECT_GT(here.memory_bytes, 0u);
+  EXPECT_FALSE(here.simd.empty());
+  const Findings bad = look_at_machine(
+      {.cores = 1, .simd = "SCALAR", .memory_bytes = 1 << 20, .disk_free_bytes = 0});
+  EXPECT_TRUE(any_wrong(bad));
+  EXPECT_EQ(about(bad, "cores")->grade, Grade::note);
+  EXPECT_EQ(about(bad, "SIMD")->grade, Grade::note);
+  EXPECT_EQ(about(bad, "memory")->grade, Grade::wrong);
+  EXPECT_EQ(about(bad, "disk")->grade, Grade::wrong);
+  for (const Finding& finding : bad) EXPECT_NE(finding.mend, "") << finding.about;
+  EXPECT_FALSE(any_wrong(look_at_machine(
+      {.cores = 4, .simd = "AVX2", .memory_bytes = 1ULL << 32U, .disk_free_bytes = 1ULL << 34U})));
+}
+
+TEST(Doctor, LooksAtSerialPortsAndTheirLatency) {
+  const reference::TemporaryFolder folder;
+  const fs::path root = folder / "";
+  write(root / "dev/ttyUSB0", "");
+  write(root / "dev/video0", "");
+  write(root / "sys/bus/usb-serial/devices/ttyUSB0/latency_timer", "16\n");
+  const Findings findings = look_at_devices({root / "dev", root / "sys"});
+  EXPECT_EQ(about(findings, "ttyUSB0")->grade, Grade::good);
+  EXPECT_EQ(about(findings, "video0")->grade, Grade::good);
+  bool told_latency = false;
+  for (const Finding& finding : findings) {
+    told_latency = told_latency || finding.what.find("16 ms") != std::string::npos;
+  }
+  EXPECT_TRUE(told_latency);
+  const Findings none = look_at_devices({root / "nothing", root / "sys"});
+  EXPECT_EQ(about(none, "serial ports")->grade, Grade::note);
+  EXPECT_EQ(about(none, "cameras")->grade, Grade::note);
+  EXPECT_FALSE(any_wrong(none));
+}
+
+TEST(Doctor, TriesThePlacesOfARobotFile) {
+  pioneer::PioneerSettings settings;
+  EXPECT_FALSE(any_wrong(look_at_places(settings))) << "for the simulator";
+  settings.devices = {"tcp://127.0.0.1:1", "serial:/dev/no_such_port", "nonsense",
+                      "video:/no/such/video"};
+  const Findings findings = look_at_places(settings);
+  for (const char* name : {"base", "turret", "laser", "camera"}) {
+    ASSERT_NE(about(findings, name), nullptr) << name;
+    EXPECT_EQ(about(findings, name)->grade, Grade::wrong) << name;
+    EXPECT_NE(about(findings, name)->what, "") << name;
+  }
+}
+
+TEST(Doctor, FindsTheShippedConfigurationGoodAndNamesAFileThatIsNot) {
+  const Findings shipped = look_at_configuration(STRIATE_SOURCE_DIR "/config");
+  EXPECT_FALSE(any_wrong(shipped));
+  EXPECT_EQ(shipped.size(), 3u);
+  const reference::TemporaryFolder folder;
+  const fs::path root = folder / "";
+  write(root / "robots/odd.yaml", "pioneer: {wheels: 3}\n");
+  const Findings findings = look_at_configuration(root);
+  ASSERT_NE(about(findings, "odd.yaml"), nullptr);
+  EXPECT_EQ(about(findings, "odd.yaml")->grade, Grade::wrong);
+  EXPECT_THAT(about(findings, "odd.yaml")->what, testing::HasSubstr("wheels"));
+  EXPECT_EQ(about(findings, "worlds")->grade, Grade::note);
+}
+
+TEST(Doctor, LooksIntoTheMemory) {
+  const reference::TemporaryFolder folder;
+  EXPECT_EQ(look_at_memory(folder / "none.db").grade, Grade::note);
+  const std::string file = folder / "text.db";
+  std::ofstream(file) << "this is no memory at all, but a text of some length";
+  EXPECT_EQ(look_at_memory(file).grade, Grade::wrong);
+}
+
+}  // namespace
+}  // namespace striate
