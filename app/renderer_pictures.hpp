@@ -32,7 +32,8 @@ class RendererPictures final : public simulator::PictureSource {
  private:
   void show_without(const std::vector<std::size_t>& absent) {
     absent_ = absent;
-    renderer_ = simulator::Renderer(simulator::world_without(world_, absent), plan_, camera_, seed_);
+    renderer_ =
+        simulator::Renderer(simulator::world_without(world_, absent), plan_, camera_, seed_);
   }
 
   simulator::World world_;

@@ -178,8 +178,8 @@ Wish Explore::turn(const ShortTermMemory& memory) {
   turn_left_rad_ -= wrap_angle(memory.pose().heading_rad - last_heading_rad_);
   last_heading_rad_ = memory.pose().heading_rad;
   Wish wish = standing_wish(memory, "turns to see what is behind");
-  const bool over = turn_left_rad_ < kTurned_rad ||
-                    to_seconds(memory.now() - entered_) > kTurnLongest_s;
+  const bool over =
+      turn_left_rad_ < kTurned_rad || to_seconds(memory.now() - entered_) > kTurnLongest_s;
   if (over) {
     enter(State::looking, memory);
     return wish;

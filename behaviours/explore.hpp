@@ -13,9 +13,9 @@
 namespace striate {
 
 /// Drives where memory knows least, mapping as it goes: to the edge of the known floor round which
-/// most is unknown, again and again, also round corners. Where no edge is left it looks round, turns
-/// on the spot, and goes back to edges that it passed. Succeeds when there is nothing left that it
-/// could drive to.
+/// most is unknown, again and again, also round corners. Where no edge is left it looks round,
+/// turns on the spot, and goes back to edges that it passed. Succeeds when there is nothing left
+/// that it could drive to.
 class Explore : public Behaviour {
  public:
   struct Settings {

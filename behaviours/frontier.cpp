@@ -6,9 +6,9 @@
 namespace striate {
 namespace {
 
-constexpr double kMargin_m = 0.08;       // beside the flanks
-constexpr double kUnderRobot_m = 0.45;   // round the robot nothing is closed: it stands there
-constexpr double kRound_m = 0.6;         // what is looked at round a frontier
+constexpr double kMargin_m = 0.08;      // beside the flanks
+constexpr double kUnderRobot_m = 0.45;  // round the robot nothing is closed: it stands there
+constexpr double kRound_m = 0.6;        // what is looked at round a frontier
 constexpr double kLeastUnknown_m2 = 0.20;
 constexpr double kWorth_per_m2 = 4.0;
 constexpr double kWayPrice_per_m = 0.5;
@@ -74,7 +74,7 @@ void FrontierFinder::spread(const FloorField& field, const Pose2& robot) {
   way_m_[static_cast<std::size_t>(start)] = 0.0F;
   from_[static_cast<std::size_t>(start)] = -1;
   queue_.push_back(start);
-  constexpr std::array<int, 8> kNeighbours{1,         -1,         kSide,     -kSide,
+  constexpr std::array<int, 8> kNeighbours{1,         -1,        kSide,      -kSide,
                                            kSide + 1, kSide - 1, -kSide + 1, -kSide - 1};
   for (std::size_t head = 0; head < queue_.size(); ++head) {
     const int node = queue_[head];
@@ -102,7 +102,8 @@ double FrontierFinder::unknown_round_m2(const FloorField& field, Point2 place) c
       const Point2 at{place.x_m + x, place.y_m + y};
       const Point2 between{place.x_m + 0.5 * x, place.y_m + 0.5 * y};
       unknown += field.state(at) == FloorState::unknown && !known_.knows(at) &&
-                 field.clearance_m(at) > half_width_m_ && field.clearance_m(between) > kSeeThrough_m;
+                 field.clearance_m(at) > half_width_m_ &&
+                 field.clearance_m(between) > kSeeThrough_m;
     }
   }
   return unknown * kSample_m * kSample_m;

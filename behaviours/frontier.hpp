@@ -31,9 +31,9 @@ class KnownFloor {
 /// A place at the edge of what is known that the robot can drive to.
 struct Frontier {
   bool found = false;
-  Point2 place;          ///< odometry frame
-  Point2 next;           ///< a point some metres on along the way there
-  double way_m = 0.0;    ///< length of the way
+  Point2 place;             ///< odometry frame
+  Point2 next;              ///< a point some metres on along the way there
+  double way_m = 0.0;       ///< length of the way
   double unknown_m2 = 0.0;  ///< round it
 };
 

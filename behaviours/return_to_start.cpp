@@ -7,8 +7,7 @@ namespace {
 
 /// Landmarks seen on the way correct where the start is; without a memory odometry alone says it.
 Point2 start_of(const ShortTermMemory& memory) {
-  const Pose2 start =
-      memory.place().active() ? memory.place().start() : memory.trail().start();
+  const Pose2 start = memory.place().active() ? memory.place().start() : memory.trail().start();
   return {start.x_m, start.y_m};
 }
 
@@ -16,9 +15,7 @@ Point2 start_of(const ShortTermMemory& memory) {
 
 // The first heading is the corridor's axis: TurnTo's heading 0.
 ReturnToStart::ReturnToStart(const Settings& settings, const RobotDescription& robot)
-    : settings_(settings),
-      journey_(settings.driving, robot),
-      turn_(TurnTo::Settings{}, robot) {}
+    : settings_(settings), journey_(settings.driving, robot), turn_(TurnTo::Settings{}, robot) {}
 
 void ReturnToStart::start(const ShortTermMemory& memory) {
   there_ = false;

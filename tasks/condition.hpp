@@ -20,7 +20,8 @@ class Condition {
 };
 
 /// One kind of condition that scripts can name in `until`, `only_if`, `unless` and `always`, e.g.
-/// `{travelled: 58 m}`, `{landmark_seen: book}`, `{landmark_within: {landmark: book, distance: 1 m}}`.
+/// `{travelled: 58 m}`, `{landmark_seen: book}`, `{landmark_within: {landmark: book, distance: 1
+/// m}}`.
 struct ConditionEntry {
   std::string name;
   std::string help;

@@ -90,10 +90,10 @@ std::unique_ptr<Condition> read_landmark_condition(const ConditionEntry& kind,
   const config::Node& value = entry.value;
   if (kind.key.empty()) {
     if (value.kind == config::Node::Kind::scalar) return kind.make_of(value.text, 0.0);
-    mistakes.add(fault::bad_condition, value.place,
-                 fmt::format("'{}' must be a landmark's name, but is {}", kind.name,
-                             value.describe()),
-                 fmt::format("write {{{}: {}}}", kind.name, kind.example));
+    mistakes.add(
+        fault::bad_condition, value.place,
+        fmt::format("'{}' must be a landmark's name, but is {}", kind.name, value.describe()),
+        fmt::format("write {{{}: {}}}", kind.name, kind.example));
     return nullptr;
   }
   if (value.kind != config::Node::Kind::map) {

@@ -89,7 +89,8 @@ class Trial {
         Interrupt::requested);
     status_.clear();
     write();
-    fmt::print("{}{}", trial_table(done()), replay_commands(done(), options_.robot, options_.memory));
+    fmt::print("{}{}", trial_table(done()),
+               replay_commands(done(), options_.robot, options_.memory));
     if (Interrupt::requested()) {
       fmt::print("\ninterrupted: {} of {} runs are done; the same command goes on from here\n",
                  done().size(), runs_.size());

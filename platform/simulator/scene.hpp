@@ -55,7 +55,7 @@ struct SceneState {
   HeadPose head;  ///< true
   std::vector<PersonState> people;
   std::vector<std::size_t> absent;  ///< obstacles of the world that are not there yet
-  std::uint64_t frame = 0;  ///< counts pictures: noise of frame n is always the same
+  std::uint64_t frame = 0;          ///< counts pictures: noise of frame n is always the same
 };
 
 }  // namespace striate::simulator

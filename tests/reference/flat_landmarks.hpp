@@ -40,8 +40,8 @@ class Recogniser {
       if (missed || distance_m > errors_.reach_m || std::abs(off_rad) > errors_.half_view_rad) {
         continue;
       }
-      loop.memory.recognise({static_cast<std::int64_t>(i + 1), landmarks_[i].name,
-                             loop.senses.now, 0.8, bearing_rad + error_rad, distance_m + error_m});
+      loop.memory.recognise({static_cast<std::int64_t>(i + 1), landmarks_[i].name, loop.senses.now,
+                             0.8, bearing_rad + error_rad, distance_m + error_m});
     }
   }
 

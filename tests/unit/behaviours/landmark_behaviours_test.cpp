@@ -66,9 +66,8 @@ TEST(SeekLandmark, TurnsBackAtTheEndAndGivesUpWithAReason) {
   flat::Loop loop(shut_corridor(5.0), 22);
   SeekLandmark seek({.landmark = "book", .turns = 1}, loop.robot);
   double farthest_m = 0.0;
-  const flat::RunResult result = loop.run(seek, 600.0, [&](const Wish&) {
-    farthest_m = std::max(farthest_m, loop.world.pose().x_m);
-  });
+  const flat::RunResult result = loop.run(
+      seek, 600.0, [&](const Wish&) { farthest_m = std::max(farthest_m, loop.world.pose().x_m); });
   EXPECT_EQ(result.progress, Progress::failed);
   EXPECT_NE(result.why.find("does not find 'book'"), std::string::npos) << result.why;
   EXPECT_FALSE(result.touched);
