@@ -169,6 +169,11 @@ RunResult Mission::result() const {
   result.distance_m = judge.distance_driven_m();
   result.duration_s = to_seconds(body_->clock().now());
   result.nearest_pass_m = std::min(judge.nearest_pass_m(), 100.0);
+  if (!goal_is_the_line(executive_.task()) && !judge.path().empty()) {
+    const Pose2& start = judge.path().front().pose;
+    const Pose2& end = judge.now().pose;
+    result.from_start_m = std::hypot(end.x_m - start.x_m, end.y_m - start.y_m);
+  }
   result.emergency_stops = cycle_->limiter().emergency_stops();
   result.longest_stand_s = longest_stand_s_;
   result.cycles = cycles_;

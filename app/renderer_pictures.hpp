@@ -1,28 +1,47 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <optional>
+#include <vector>
 
+#include "platform/simulator/late_obstacles.hpp"
 #include "platform/simulator/picture_source.hpp"
 #include "platform/simulator/render/renderer.hpp"
 
 namespace striate {
 
-/// The renderer as the simulated Pioneer's eyes.
+/// The renderer as the simulated Pioneer's eyes. When an obstacle is put down during the run the
+/// world is built and lit anew with it, which takes a second and shows at once.
 class RendererPictures final : public simulator::PictureSource {
  public:
   RendererPictures(const simulator::World& world, const simulator::FloorPlan& plan,
                    const simulator::CameraSettings& camera, std::uint64_t seed)
-      : renderer_(world, plan, camera, seed) {}
+      : world_(world), plan_(plan), camera_(camera), seed_(seed) {
+    show_without(simulator::LateObstacles(world, plan).absent());
+  }
   StereoFrame picture(const simulator::SceneState& scene) override {
-    return renderer_.picture(scene);
+    if (scene.absent != absent_) show_without(scene.absent);
+    return renderer_->picture(scene);
   }
   [[nodiscard]] double light_level(Point2 place) const override {
-    return renderer_.light_level(place);
+    return renderer_->light_level(place);
   }
-  [[nodiscard]] simulator::Renderer& renderer() { return renderer_; }
+  [[nodiscard]] simulator::Renderer& renderer() { return *renderer_; }
 
  private:
-  simulator::Renderer renderer_;
+  void show_without(const std::vector<std::size_t>& absent) {
+    absent_ = absent;
+    renderer_ =
+        simulator::Renderer(simulator::world_without(world_, absent), plan_, camera_, seed_);
+  }
+
+  simulator::World world_;
+  simulator::FloorPlan plan_;
+  simulator::CameraSettings camera_;
+  std::uint64_t seed_;
+  std::vector<std::size_t> absent_;
+  std::optional<simulator::Renderer> renderer_;  // its address stays
 };
 
 }  // namespace striate

@@ -41,6 +41,7 @@ nlohmann::ordered_json to_json(const RunResult& result) {
   json["nearest_pass_m"] = rounded(result.nearest_pass_m);
   json["emergency_stops"] = result.emergency_stops;
   json["longest_stand_s"] = rounded(result.longest_stand_s);
+  if (result.from_start_m) json["from_start_m"] = rounded(*result.from_start_m);
   json["cycles"] = result.cycles;
   json["mean_cycle_ms"] = rounded(result.mean_cycle_ms);
   json["realtime_factor"] = rounded(result.realtime_factor);
@@ -67,6 +68,7 @@ RunResult run_result_from_json(const nlohmann::json& json) {
     json.at("nearest_pass_m").get_to(result.nearest_pass_m);
     json.at("emergency_stops").get_to(result.emergency_stops);
     json.at("longest_stand_s").get_to(result.longest_stand_s);
+    if (json.contains("from_start_m")) result.from_start_m = json.at("from_start_m").get<double>();
     json.at("cycles").get_to(result.cycles);
     json.at("mean_cycle_ms").get_to(result.mean_cycle_ms);
     json.at("realtime_factor").get_to(result.realtime_factor);

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,9 @@ struct RunResult {
   double nearest_pass_m = 0.0;   ///< smallest distance of the robot's outline to anything
   int emergency_stops = 0;       ///< how often sonar, laser or bumper stepped in
   double longest_stand_s = 0.0;  ///< longest time without moving
+  /// Truly, at the end, from where the run began; only for a task whose goal is not the world's
+  /// line.
+  std::optional<double> from_start_m;
   std::uint64_t cycles = 0;
   double mean_cycle_ms = 0.0;    ///< wall-clock: seeing, remembering, wanting, moving
   double realtime_factor = 0.0;  ///< wall-clock: simulated over real time

@@ -1,11 +1,16 @@
 #include "behaviours/registry.hpp"
 
+#include "behaviours/approach_landmark.hpp"
 #include "behaviours/avoid.hpp"
 #include "behaviours/back_up.hpp"
 #include "behaviours/drive_straight.hpp"
+#include "behaviours/explore.hpp"
+#include "behaviours/go_to.hpp"
 #include "behaviours/look_around.hpp"
 #include "behaviours/look_at.hpp"
+#include "behaviours/return_to_start.hpp"
 #include "behaviours/say.hpp"
+#include "behaviours/seek_landmark.hpp"
 #include "behaviours/stop.hpp"
 #include "behaviours/teach.hpp"
 #include "behaviours/traverse_corridor.hpp"
@@ -16,13 +21,21 @@ namespace striate {
 
 const std::vector<BehaviourEntry>& behaviour_registry() {
   static const std::vector<BehaviourEntry> entries{
+      behaviour_entry<ApproachLandmark>("approach_landmark",
+                                        "drives up to a recognised landmark and faces it"),
       behaviour_entry<Avoid>("avoid", "goes round what stands ahead, or lets it pass"),
       behaviour_entry<BackUp>("back_up", "drives straight back"),
       behaviour_entry<DriveStraight>("drive_straight", "drives straight ahead"),
+      behaviour_entry<Explore>("explore", "drives where memory knows least, until all is known"),
+      behaviour_entry<GoTo>("go_to", "drives to the known place of a landmark"),
       behaviour_entry<LookAround>("look_around", "turns the head from side to side, and back"),
       behaviour_entry<LookAt>("look_at",
                               "turns the head to a direction, or to what is most salient"),
+      behaviour_entry<ReturnToStart>("return_to_start",
+                                     "drives back along its own trail to where the run began"),
       behaviour_entry<Say>("say", "shows a text to people"),
+      behaviour_entry<SeekLandmark>("seek_landmark",
+                                    "looks and drives about until it recognises a landmark"),
       behaviour_entry<Stop>("stop", "stands still"),
       behaviour_entry<Teach>("teach", "looks at what stands out ahead from several places"),
       behaviour_entry<TraverseCorridor>("traverse_corridor",

@@ -62,6 +62,7 @@ void ShortTermMemory::feel(const Senses& senses) {
   } else {
     corridor_.start(pose_);
   }
+  trail_.walk(pose_);
   place_.recall_into(landmarks_);
   forward_m_s_ = senses.odometry.forward_m_s;
   turn_rad_s_ = senses.odometry.turn_rad_s;

@@ -14,6 +14,7 @@
 #include "memory/place/place_memory.hpp"
 #include "memory/polar_map.hpp"
 #include "memory/salient_memory.hpp"
+#include "memory/trail.hpp"
 #include "platform/interface/robot.hpp"
 
 namespace striate {
@@ -106,6 +107,8 @@ class ShortTermMemory {
   [[nodiscard]] const CorridorMemory& corridor() const { return corridor_; }
   [[nodiscard]] const SalientMemory& salient() const { return salient_; }
   [[nodiscard]] const LandmarkMemory& landmarks() const { return landmarks_; }
+  /// Where the robot has been, from the start on.
+  [[nodiscard]] const Trail& trail() const { return trail_; }
   /// Where the robot is on the map of its memory, and the routes that were driven.
   [[nodiscard]] const PlaceMemory& place() const { return place_; }
   [[nodiscard]] const RouteMap& routes() const { return place_.routes(); }
@@ -137,6 +140,7 @@ class ShortTermMemory {
   WallFitter wall_fitter_;
   SalientMemory salient_;
   LandmarkMemory landmarks_;
+  Trail trail_;
   PlaceMemory place_;
   std::vector<SalientRegion> regions_now_;
 

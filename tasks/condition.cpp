@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "tasks/fault.hpp"
+#include "tasks/landmark_conditions.hpp"
 
 namespace striate {
 namespace {
@@ -99,6 +100,14 @@ class StandsFor final : public Condition {
   mutable TimePoint moved_;  ///< the newest cycle in which it moved
 };
 
+/// From the place where the run began, by odometry.
+struct FromStart {
+  static double of(const ShortTermMemory& memory) {
+    const Pose2& start = memory.trail().start();
+    return std::hypot(memory.pose().x_m - start.x_m, memory.pose().y_m - start.y_m);
+  }
+};
+
 template <class Kind>
 std::unique_ptr<Condition> make(double value) {
   return std::make_unique<Kind>(value);
@@ -112,10 +121,9 @@ constexpr config::Range kLength_m{0.0, 100000.0};
 constexpr config::Range kDay_s{0.0, 86400.0};
 constexpr config::Range kShare{0.0, 1.0};
 
-}  // namespace
-
-const std::vector<ConditionEntry>& condition_registry() {
-  static const std::vector<ConditionEntry> registry = {
+/// What is asked of memory as one figure.
+std::vector<ConditionEntry> figure_conditions() {
+  return {
       {"travelled", "driven so far since the step began, by odometry", Unit::length, kLength_m,
        "58 m", make<GrownBy<Travelled>>},
       {"progress",
@@ -148,13 +156,31 @@ const std::vector<ConditionEntry>& condition_registry() {
        kLength_m, "1.5 m", at_most<Width<1000000>>},
       {"battery_below", "the battery's charge, judged by its voltage, is less than this",
        Unit::fraction, kShare, "20 %", at_most<Charge>},
+      {"near_start", "the robot is so near to where the run began", Unit::length, kLength_m,
+       "0.6 m", at_most<FromStart>},
   };
+}
+
+}  // namespace
+
+const std::vector<ConditionEntry>& condition_registry() {
+  static const std::vector<ConditionEntry> registry = [] {
+    std::vector<ConditionEntry> all = figure_conditions();
+    const std::vector<ConditionEntry>& landmarks = landmark_conditions();
+    all.insert(all.end(), landmarks.begin(), landmarks.end());
+    return all;
+  }();
   return registry;
 }
 
 std::string condition_text(const config::Node& node) {
   if (node.kind != config::Node::Kind::map || node.entries.size() != 1) return {};
-  return fmt::format("{}: {}", node.entries.front().key, node.entries.front().value.text);
+  const config::Node& value = node.entries.front().value;
+  std::string text = value.text;
+  for (const config::Node::Entry& part : value.entries) {
+    text += fmt::format("{}{}", text.empty() ? "" : ", ", part.value.text);
+  }
+  return fmt::format("{}: {}", node.entries.front().key, text);
 }
 
 std::unique_ptr<Condition> read_condition(const config::Node& node, config::Mistakes& mistakes) {
@@ -178,6 +204,7 @@ std::unique_ptr<Condition> read_condition(const config::Node& node, config::Mist
                  fmt::format("unknown condition '{}'", entry.key), hint);
     return nullptr;
   }
+  if (found->make_of != nullptr) return read_landmark_condition(*found, entry, mistakes);
   const auto value = config::read_quantity(entry.value, found->unit, found->range, mistakes);
   return value ? found->make(*value) : nullptr;
 }

@@ -20,14 +20,19 @@ class Condition {
 };
 
 /// One kind of condition that scripts can name in `until`, `only_if`, `unless` and `always`, e.g.
-/// `{travelled: 58 m}`.
+/// `{travelled: 58 m}`, `{landmark_seen: book}`, `{landmark_within: {landmark: book, distance: 1
+/// m}}`.
 struct ConditionEntry {
   std::string name;
   std::string help;
   config::Unit unit;
   config::Range range;
   std::string example;  ///< a value: "58 m"
-  std::unique_ptr<Condition> (*make)(double value_si);
+  std::unique_ptr<Condition> (*make)(double value_si) = nullptr;
+  /// Instead of `make`, where it is about a landmark; with `key` it takes a map of `landmark` and
+  /// `key`, without it the landmark's name alone.
+  std::unique_ptr<Condition> (*make_of)(const std::string& landmark, double value_si) = nullptr;
+  std::string key{};
 };
 
 [[nodiscard]] const std::vector<ConditionEntry>& condition_registry();

@@ -32,6 +32,7 @@ std::string readable(const std::string& text) {
 }
 
 std::string allowed_of(const ConditionEntry& condition) {
+  if (condition.make_of != nullptr && condition.key.empty()) return "a landmark";
   return fmt::format("{} .. {}", config::print_quantity(condition.range.low, condition.unit),
                      config::print_quantity(condition.range.high, condition.unit));
 }

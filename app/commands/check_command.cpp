@@ -3,11 +3,13 @@
 #include <filesystem>
 #include <fstream>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "app/commands/action_list.hpp"
 #include "app/commands/commands.hpp"
+#include "app/memory/landmark_names.hpp"
 #include "app/robot_settings.hpp"
 #include "config/user_error.hpp"
 #include "platform/simulator/world_reader.hpp"
@@ -31,13 +33,16 @@ Kind kind_of(const std::string& file) {
   return kind;
 }
 
-void check_file(const std::string& file) {
+/// Names that the memory knows; none where no memory was given: `needs` is not judged then.
+using Known = std::optional<std::vector<std::string>>;
+
+void check_file(const std::string& file, const Known& known) {
   switch (std::filesystem::is_regular_file(file) ? kind_of(file) : Kind::settings) {
     case Kind::world:
       (void)simulator::load_world(file);
       break;
     case Kind::task:
-      (void)check_task(file, RobotDescription{});
+      (void)check_task(file, RobotDescription{}, known ? &*known : nullptr);
       break;
     case Kind::settings:
       (void)load_robot_settings(file);
@@ -45,11 +50,11 @@ void check_file(const std::string& file) {
   }
 }
 
-int check_files(const std::vector<std::string>& files) {
+int check_files(const std::vector<std::string>& files, const Known& known) {
   int bad = 0;
   for (const std::string& file : files) {
     try {
-      check_file(file);
+      check_file(file, known);
       fmt::print("{}: good\n", file);
     } catch (const UserError& error) {
       ++bad;
@@ -64,6 +69,7 @@ int check_files(const std::vector<std::string>& files) {
 void add_check_command(CLI::App& app, int& exit_code) {
   struct Options {
     std::vector<std::string> files;
+    std::string memory;
     bool actions = false;
   };
   auto options = std::make_shared<Options>();
@@ -72,6 +78,8 @@ void add_check_command(CLI::App& app, int& exit_code) {
       "Checks task scripts, worlds and robot settings without running them, and tells every\n"
       "mistake with its file, line and column. Exit code 2 if there is one.");
   command->add_option("files", options->files, "YAML files");
+  command->add_option("--memory", options->memory,
+                      "the long-term memory that must know the landmarks a task needs");
   command->add_flag("--actions", options->actions,
                     "lists what a task script can use, as 'striate task actions' does");
   command->callback([options, &exit_code] {
@@ -79,7 +87,14 @@ void add_check_command(CLI::App& app, int& exit_code) {
     if (!options->actions && options->files.empty()) {
       throw UserError("nothing to check: name one or more YAML files, or give --actions");
     }
-    exit_code = check_files(options->files);
+    Known known;
+    if (!options->memory.empty()) {
+      if (!std::filesystem::exists(options->memory)) {
+        throw UserError(fmt::format("{}: there is no such memory", options->memory));
+      }
+      known = landmark_names_in(options->memory);
+    }
+    exit_code = check_files(options->files, known);
   });
 }
 

@@ -68,6 +68,9 @@ void print_summary(const RunResult& result, const RunOptions& options) {
   fmt::print("  emergency stops   {}{}\n", result.emergency_stops,
              result.emergency_layer ? "" : " (sonar and laser are off)");
   fmt::print("  longest stand     {:.0f} s\n", result.longest_stand_s);
+  if (result.from_start_m) {
+    fmt::print("  ends              {:.2f} m from the start\n", *result.from_start_m);
+  }
   fmt::print("  collisions        {}\n", result.collisions.size());
   for (const CollisionRecord& hit : result.collisions) {
     fmt::print("    {:.1f} s: {} ({}) at {:.1f} m, {:+.2f} m, light {:.2f}\n", hit.time_s, hit.hit,

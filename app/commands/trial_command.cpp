@@ -79,6 +79,8 @@ void add_trial_command(CLI::App& app, int& exit_code) {
       ->delimiter(',');
   command->add_option("--task", options->task, "the task script")->capture_default_str();
   command->add_option("--robot", options->robot, "settings of the robot and its mind");
+  command->add_option("--memory", options->memory,
+                      "the long-term memory that each run begins with; a run works on a copy");
   command->add_option("--runs", options->runs, "runs of each world; each has its own seed")
       ->check(CLI::Range(1, 10000))
       ->capture_default_str();

@@ -43,6 +43,9 @@ std::optional<RunResult> finished(const TrialRun& run, const TrialOptions& optio
 }
 
 void check_options(const TrialOptions& options) {
+  if (!options.memory.empty() && !std::filesystem::is_regular_file(options.memory)) {
+    throw UserError(fmt::format("{}: there is no such memory", options.memory));
+  }
   static_cast<void>(baseline_named(options.baseline));
   for (const std::string& world : options.worlds) {
     if (!std::filesystem::is_regular_file(world)) {
@@ -75,6 +78,9 @@ class Trial {
     std::vector<std::vector<std::string>> commands;
     for (const std::size_t i : missing_) {
       commands.push_back(command_of(runs_[i], options_, program));
+      if (options_.memory.empty()) continue;
+      std::filesystem::copy_file(options_.memory, memory_of(runs_[i]),
+                                 std::filesystem::copy_options::overwrite_existing);
     }
     started_ = std::chrono::steady_clock::now();
     show();
@@ -83,7 +89,8 @@ class Trial {
         Interrupt::requested);
     status_.clear();
     write();
-    fmt::print("{}{}", trial_table(done()), replay_commands(done(), options_.robot));
+    fmt::print("{}{}", trial_table(done()),
+               replay_commands(done(), options_.robot, options_.memory));
     if (Interrupt::requested()) {
       fmt::print("\ninterrupted: {} of {} runs are done; the same command goes on from here\n",
                  done().size(), runs_.size());

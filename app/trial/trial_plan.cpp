@@ -50,7 +50,15 @@ std::vector<std::string> command_of(const TrialRun& run, const TrialOptions& opt
     command.emplace_back("--robot");
     command.push_back(options.robot);
   }
+  if (!options.memory.empty()) {
+    command.emplace_back("--memory");
+    command.push_back(memory_of(run));
+  }
   return command;
+}
+
+std::string memory_of(const TrialRun& run) {
+  return std::filesystem::path(run.result_file).replace_extension(".db").string();
 }
 
 }  // namespace striate

@@ -11,6 +11,7 @@ struct TrialOptions {
   std::vector<std::string> worlds;
   std::string task = "config/tasks/corridor.yaml";
   std::string robot;  ///< settings file; empty: the built-in defaults
+  std::string memory;  ///< what each run begins with, in a copy of its own; empty: none
   int runs = 20;      ///< of each world
   int jobs = 1;       ///< how many at once
   std::uint64_t first_seed = 1;
@@ -36,6 +37,9 @@ struct TrialRun {
 /// The command line of one run, program first.
 [[nodiscard]] std::vector<std::string> command_of(const TrialRun& run, const TrialOptions& options,
                                                   const std::string& program);
+
+/// The copy of the memory that a run works with; it stays beside the run's result.
+[[nodiscard]] std::string memory_of(const TrialRun& run);
 
 /// "corridor_a", and "corridor_a, sgbm" with a baseline: the name of a row of the table.
 [[nodiscard]] std::string row_name(const std::string& file, const std::string& baseline);

@@ -155,16 +155,18 @@ std::string trial_table(const std::vector<RunResult>& results) {
   return text;
 }
 
-std::string replay_commands(const std::vector<RunResult>& results, const std::string& robot) {
+std::string replay_commands(const std::vector<RunResult>& results, const std::string& robot,
+                            const std::string& memory) {
   std::string text;
   for (const RunResult& result : results) {
     if (result.outcome == "success") continue;
     text += fmt::format(
-        "    striate run {} --world {} --seed {}{}{}{} --picture-every 10 --pictures "
+        "    striate run {} --world {} --seed {}{}{}{}{} --picture-every 10 --pictures "
         "out/replay/{}_seed{:03d}\n",
         result.task, result.world, result.seed, result.emergency_layer ? "" : " --no-emergency",
         result.baseline.empty() ? "" : " --baseline " + result.baseline,
-        robot.empty() ? "" : " --robot " + robot, world_name(result.world), result.seed);
+        robot.empty() ? "" : " --robot " + robot, memory.empty() ? "" : " --memory " + memory,
+        world_name(result.world), result.seed);
   }
   return text.empty() ? text : "\nTo see what failed again:\n" + text;
 }

@@ -24,8 +24,8 @@ struct Interval {
 [[nodiscard]] std::string trial_table(const std::vector<RunResult>& results);
 
 /// A command for each failed run that runs it again, the same bit for bit, with pictures to watch.
-/// @param robot the settings file of the trial; may be empty.
+/// @param robot the settings file of the trial; may be empty, @param memory likewise.
 [[nodiscard]] std::string replay_commands(const std::vector<RunResult>& results,
-                                          const std::string& robot);
+                                          const std::string& robot, const std::string& memory = "");
 
 }  // namespace striate

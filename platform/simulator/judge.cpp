@@ -32,6 +32,10 @@ Judge::Judge(const World& world, const FloorPlan& plan, const RobotDescription& 
   for (StaticShape& wall : wall_shapes(plan)) things_.push_back(std::move(wall));
 }
 
+void Judge::add_obstacles(const World& new_ones) {
+  for (StaticShape& thing : standing_shapes(new_ones, plan_)) things_.push_back(std::move(thing));
+}
+
 void Judge::look(double now_s, const Physics& physics, const People& people,
                  const PictureSource* light) {
   note_path(now_s, physics, people);

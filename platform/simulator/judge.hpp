@@ -51,6 +51,9 @@ class Judge {
   Judge(const World& world, const FloorPlan& plan, const RobotDescription& robot,
         const JudgeSettings& settings);
 
+  /// More obstacles stand there from now on.
+  void add_obstacles(const World& new_ones);
+
   /// Looks at the moment; call every physics step. `light` may be null.
   void look(double now_s, const Physics& physics, const People& people, const PictureSource* light);
 

@@ -101,10 +101,7 @@ Physics::Physics(const World& world, const FloorPlan& plan, const RobotDescripti
   for (const StaticShape& wall : wall_shapes(plan)) {
     parts_->add_static(wall, kTouchable | kSeen | kSmooth);
   }
-  for (const StaticShape& thing : standing_shapes(world, plan)) {
-    parts_->add_static(thing, kTouchable);
-  }
-  for (const StaticShape& thing : low_shapes(world, plan)) parts_->add_static(thing, kSeen);
+  add_obstacles(world, plan);
   for (std::size_t i = 0; i < people; ++i) {
     b2Body* body = parts_->add_body(b2_kinematicBody, fmt::format("person_{}", i + 1), {});
     parts_->add_fixture(body, disc({}, kPersonRadius_m), kTouchable, kRobot);
@@ -123,6 +120,13 @@ Physics::Physics(const World& world, const FloorPlan& plan, const RobotDescripti
 }
 
 Physics::~Physics() = default;
+
+void Physics::add_obstacles(const World& new_ones, const FloorPlan& plan) {
+  for (const StaticShape& thing : standing_shapes(new_ones, plan)) {
+    parts_->add_static(thing, kTouchable);
+  }
+  for (const StaticShape& thing : low_shapes(new_ones, plan)) parts_->add_static(thing, kSeen);
+}
 
 void Physics::step(double dt_s, double forward_m_s, double turn_rad_s,
                    const std::vector<PersonBody>& people) {

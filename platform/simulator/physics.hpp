@@ -44,6 +44,9 @@ class Physics {
   void step(double dt_s, double forward_m_s, double turn_rad_s,
             const std::vector<PersonBody>& people);
 
+  /// More obstacles stand there from now on.
+  void add_obstacles(const World& new_ones, const FloorPlan& plan);
+
   [[nodiscard]] Pose2 robot() const;
   /// How fast the robot really went in the last step; forward and turning.
   [[nodiscard]] double forward_m_s() const;

@@ -53,6 +53,8 @@ void read_obstacle(const Node& node, World& world, config::Mistakes& mistakes) {
   entry.map().numbers("size", {&obstacle.size_x_m, &obstacle.size_y_m, &obstacle.size_z_m},
                       Unit::length, {0.02, 5.0});
   entry.map().text("image", obstacle.image);
+  entry.map().number("from", obstacle.from_s, Unit::duration, {0.0, 86400.0});
+  entry.map().number("appears_after", obstacle.appears_after_m, Unit::length, {0.0, 100000.0});
   entry.finish();
   entry.check_inside("at", obstacle.at);
   if (!obstacle.image.empty()) entry.check_image("image", obstacle.image, all_names());

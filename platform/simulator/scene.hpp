@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -53,7 +54,8 @@ struct SceneState {
   double turn_rad_s = 0.0;
   HeadPose head;  ///< true
   std::vector<PersonState> people;
-  std::uint64_t frame = 0;  ///< counts pictures: noise of frame n is always the same
+  std::vector<std::size_t> absent;  ///< obstacles of the world that are not there yet
+  std::uint64_t frame = 0;          ///< counts pictures: noise of frame n is always the same
 };
 
 }  // namespace striate::simulator

@@ -6,6 +6,7 @@
 #include "platform/simulator/camera_link.hpp"
 #include "platform/simulator/dead_reckoning.hpp"
 #include "platform/simulator/drive.hpp"
+#include "platform/simulator/late_obstacles.hpp"
 #include "platform/simulator/people.hpp"
 #include "platform/simulator/physics.hpp"
 #include "platform/simulator/range_finders.hpp"
@@ -46,20 +47,23 @@ struct SimulatedPioneer::Parts {
       : robot(robot_in),
         settings(settings_in),
         pictures(pictures_in),
+        world(world_in),
         plan(build_floor_plan(world_in)),
+        late(world_in, plan),
         people(world_in, plan, robot, seed),
-        physics(world_in, plan, robot, true_start(world_in, plan, settings.base, seed),
-                people.slots().size()),
+        physics(world_without(world_in, late.absent()), plan, robot,
+                true_start(world_in, plan, settings.base, seed), people.slots().size()),
         drive(robot, settings.base),
         turret(robot, settings.sensors.servo_speed_rad_s),
         odometry(seed, settings.sensors),
         sonar(seed, settings.sensors),
         laser(seed, settings.sensors),
         camera(seed, settings.sensors, settings.faults),
-        judge(world_in, plan, robot, settings.judge),
+        judge(world_without(world_in, late.absent()), plan, robot, settings.judge),
         command_loss(seed, Purpose::command_loss) {}
 
   void step();
+  void put_down_obstacles();
   void expose();
   void fill(Senses& senses);
   [[nodiscard]] SceneState scene() const;
@@ -68,7 +72,9 @@ struct SimulatedPioneer::Parts {
   RobotDescription robot;
   SimulatorSettings settings;
   PictureSource* pictures;
+  World world;
   FloorPlan plan;
+  LateObstacles late;
   SimulatedClock clock;
   People people;
   Physics physics;
@@ -88,6 +94,7 @@ struct SimulatedPioneer::Parts {
 void SimulatedPioneer::Parts::step() {
   const double before_s = now_s();
   clock.advance(from_seconds(kStepS));
+  put_down_obstacles();
   drive.step(before_s, kStepS, physics.forward_m_s(), physics.turn_rad_s());
   turret.step(kStepS, drive.in_force().pan_rad, drive.in_force().tilt_rad);
   people.step(now_s(), kStepS, {physics.robot(), physics.forward_m_s(), physics.turn_rad_s()});
@@ -98,6 +105,15 @@ void SimulatedPioneer::Parts::step() {
   sonar.step(now_s(), physics);
   judge.look(now_s(), physics, people, pictures);
   if (camera.due(now_s())) expose();
+}
+
+void SimulatedPioneer::Parts::put_down_obstacles() {
+  if (late.absent().empty()) return;
+  const std::vector<std::size_t>& fresh = late.step(now_s(), driven_m, physics.robot());
+  if (fresh.empty()) return;
+  const World new_ones = world_with_only(world, fresh);
+  physics.add_obstacles(new_ones, plan);
+  judge.add_obstacles(new_ones);
 }
 
 void SimulatedPioneer::Parts::expose() {
@@ -115,6 +131,7 @@ SceneState SimulatedPioneer::Parts::scene() const {
   scene.turn_rad_s = physics.turn_rad_s();
   scene.head = turret.true_pose();
   scene.people = people.states();
+  scene.absent = late.absent();
   scene.frame = camera.frame();
   return scene;
 }

@@ -81,7 +81,9 @@ struct WorldObstacle {
   double size_x_m = 0.0;  ///< 0: the kind's own size
   double size_y_m = 0.0;
   double size_z_m = 0.0;
-  std::string image;  ///< texture of its sides; empty: the kind's own
+  std::string image;             ///< texture of its sides; empty: the kind's own
+  double from_s = 0.0;           ///< not there before this time of the run
+  double appears_after_m = 0.0;  ///< not there before the robot has driven so far
 };
 
 struct WorldObject {  ///< a thing that can be taught and sought

@@ -42,6 +42,7 @@ class Loop {
       pictures.pop_front();
     }
     memory.update(senses, arrived);
+    if (recognises) recognises(*this);
     if (cycles == 2) behaviour.start(memory);
     Wish wish = cycles < 2 ? standing_wish(memory, "waits for eyes") : behaviour.tick(memory);
     arbiter.offer(MotorOwner::behaviour, wish);
@@ -81,6 +82,7 @@ class Loop {
   std::deque<Percept> pictures;
   int cycles = 0;
   bool camera_off = false;
+  std::function<void(Loop&)> recognises;  ///< puts sightings into memory
 };
 
 }  // namespace striate::flat

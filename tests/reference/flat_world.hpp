@@ -123,6 +123,9 @@ class World {
 
   void send(const MotorCommand& command) { command_ = command; }
 
+  /// Other things stand there from now on.
+  void change(const Layout& layout) { layout_ = layout; }
+
   void advance(double seconds) {
     const int steps = static_cast<int>(std::lround(seconds / 0.01));
     for (int i = 0; i < steps && !touched_; ++i) step(0.01);

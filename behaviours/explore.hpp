@@ -1,0 +1,79 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "behaviours/behaviour.hpp"
+#include "behaviours/frontier.hpp"
+#include "behaviours/gaze_round.hpp"
+#include "behaviours/journey.hpp"
+#include "config/settings.hpp"
+
+namespace striate {
+
+/// Drives where memory knows least, mapping as it goes: to the edge of the known floor round which
+/// most is unknown, again and again, also round corners. Where no edge is left it looks round,
+/// turns on the spot, and goes back to edges that it passed. Succeeds when there is nothing left
+/// that it could drive to.
+class Explore : public Behaviour {
+ public:
+  struct Settings {
+    double speed_m_s = 0.40;
+    double sweep_rad = 1.2;
+    int failures = 6;
+    DrivingSettings driving{};
+  };
+
+  Explore(const Settings& settings, const RobotDescription& robot);
+  void start(const ShortTermMemory& memory) override;
+  Wish tick(const ShortTermMemory& memory) override;
+  [[nodiscard]] const KnownFloor& known() const { return finder_.known(); }
+
+ private:
+  enum class State : std::uint8_t { driving, looking, turning, returning };
+  static constexpr std::size_t kPassed = 32;
+  void enter(State state, const ShortTermMemory& memory);
+  void think(const ShortTermMemory& memory);
+  void choose(const ShortTermMemory& memory);
+  void remember_passed(Point2 place);
+  /// The nearest edge that was passed and is still one; false where there is none.
+  [[nodiscard]] bool pick_passed(const ShortTermMemory& memory);
+  Wish drive(const ShortTermMemory& memory);
+  Wish look(const ShortTermMemory& memory);
+  Wish turn(const ShortTermMemory& memory);
+  Wish go_back(const ShortTermMemory& memory);
+  /// Leaves a goal that cannot be reached.
+  Wish leave(const ShortTermMemory& memory, Point2 place);
+
+  Settings settings_;
+  FloorField field_;
+  FrontierFinder finder_;
+  GazeRound gaze_;
+  Journey journey_;
+  State state_ = State::looking;
+  TimePoint entered_{};
+  TimePoint thought_{};
+  Frontier goal_;
+  double nearest_m_ = 0.0;  ///< to the goal so far
+  TimePoint nearest_at_{};
+  TimePoint found_at_{};  ///< when there was a goal last
+  int turns_ = 0;
+  int failures_ = 0;
+  double turn_left_rad_ = 0.0;
+  double last_heading_rad_ = 0.0;
+  std::array<Point2, kPassed> passed_{};  ///< edges that were seen and not driven to
+  std::size_t passed_count_ = 0;
+  Point2 back_to_;
+};
+
+template <class V>
+void visit(V& v, Explore::Settings& s) {
+  using config::Unit;
+  v.number("speed", s.speed_m_s, Unit::speed, {0.05, 0.75}, "where all is known to be free");
+  v.number("sweep", s.sweep_rad, Unit::angle, {0.1, 1.6}, "how far the head turns to each side");
+  v.integer("failures", s.failures, {1, 50}, "goals in a row that it cannot reach before it fails");
+  v.section("driving", s.driving);
+}
+
+}  // namespace striate

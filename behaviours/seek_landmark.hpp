@@ -1,0 +1,71 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "behaviours/behaviour.hpp"
+#include "behaviours/gaze_round.hpp"
+#include "behaviours/way_follower.hpp"
+#include "config/settings.hpp"
+
+namespace striate {
+
+/// Looks for a landmark: stands and turns the head to both sides and from salient region to salient
+/// region, drives on along the corridor to see more, turns back where it ends. A first recognition
+/// is looked at until it is confirmed. Succeeds when the landmark is recognised.
+class SeekLandmark : public Behaviour {
+ public:
+  struct Settings {
+    std::string landmark;
+    double step_m = 1.2;
+    double sweep_rad = 0.96;
+    double dwell_s = 0.6;
+    int regions = 3;
+    double speed_m_s = 0.40;
+    int turns = 2;
+    DrivingSettings driving{};
+  };
+  static constexpr const char* kMain = "landmark";
+  static constexpr const char* kRequired[] = {"landmark"};
+
+  SeekLandmark(const Settings& settings, const RobotDescription& robot);
+  void start(const ShortTermMemory& memory) override;
+  Wish tick(const ShortTermMemory& memory) override;
+
+ private:
+  enum class State : std::uint8_t { looking, driving };
+  void look_round(const ShortTermMemory& memory);
+  Wish look(const ShortTermMemory& memory);
+  Wish drive(const ShortTermMemory& memory);
+  Wish turn_back(const ShortTermMemory& memory);
+  /// A recognition that is not confirmed yet, and fresh; nullptr if there is none.
+  [[nodiscard]] const LandmarkInMind* candidate(const ShortTermMemory& memory) const;
+  [[nodiscard]] bool corridor_ends(const ShortTermMemory& memory);
+
+  Settings settings_;
+  RobotDescription robot_;
+  GazeRound gaze_;
+  WayFollower follower_;
+  State state_ = State::looking;
+  bool back_ = false;
+  int turned_ = 0;
+  double driven_from_m_ = 0.0;
+  TimePoint open_at_{};       ///< when the way was last open
+  TimePoint candidate_at_{};  ///< since when a candidate is looked at
+  bool watching_ = false;
+};
+
+template <class V>
+void visit(V& v, SeekLandmark::Settings& s) {
+  using config::Unit;
+  v.text("landmark", s.landmark, "the landmark's name");
+  v.number("step", s.step_m, Unit::length, {0.3, 10}, "drives on so far between two looks round");
+  v.number("sweep", s.sweep_rad, Unit::angle, {0.1, 1.6}, "how far the head turns to each side");
+  v.number("dwell", s.dwell_s, Unit::duration, {0.1, 10}, "how long it looks each time");
+  v.integer("regions", s.regions, {0, 7}, "salient regions looked at in each look round");
+  v.number("speed", s.speed_m_s, Unit::speed, {0.05, 0.75}, "where all is known to be free");
+  v.integer("turns", s.turns, {0, 20}, "how often it turns back at an end before it gives up");
+  v.section("driving", s.driving);
+}
+
+}  // namespace striate
