@@ -12,7 +12,7 @@
 #include "app/memory/landmark_knowledge.hpp"
 #include "app/run_result.hpp"
 #include "app/stopwatch_robot.hpp"
-#include "app/trail.hpp"
+#include "app/drawn_trail.hpp"
 #include "platform/simulator/simulated_pioneer.hpp"
 #include "tasks/task_reader.hpp"
 
@@ -78,7 +78,7 @@ class Mission {
   std::unique_ptr<simulator::SimulatedPioneer> body_;
   std::unique_ptr<StopwatchRobot> watched_;
   std::unique_ptr<CognitiveCycle> cycle_;
-  Trail trail_;
+  DrawnTrail trail_;
   std::uint64_t cycles_ = 0;
   double stands_s_ = 0.0;
   double longest_stand_s_ = 0.0;

@@ -7,7 +7,7 @@
 
 #include "app/cognitive_cycle.hpp"
 #include "app/recording/setup.hpp"
-#include "app/trail.hpp"
+#include "app/drawn_trail.hpp"
 #include "platform/replay/replay_robot.hpp"
 
 namespace striate {
@@ -49,7 +49,7 @@ class ReplayMission {
   RobotSettings settings_;
   std::unique_ptr<Executive> executive_;
   std::unique_ptr<CognitiveCycle> cycle_;
-  Trail trail_;
+  DrawnTrail trail_;
 };
 
 }  // namespace striate

@@ -9,7 +9,7 @@
 namespace striate {
 
 /// Where the robot believes it has been (odometry frame), oldest first; a point every 10 cm.
-class Trail {
+class DrawnTrail {
  public:
   void add(const Pose2& pose) {
     const bool moved = points_.empty() || std::hypot(pose.x_m - points_.back().x_m,
