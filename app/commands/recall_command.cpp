@@ -41,8 +41,8 @@ void print(const RecallOptions& options, const nlohmann::ordered_json& state) {
 
 /// Memory is what the cycles before have made of it: the recording is run again up to there.
 int recall_recording(const RecallOptions& options) {
-  const std::optional<double> at_s =
-      options.at.empty() ? std::nullopt : parse_time_s("--at", options.at);
+  std::optional<double> at_s;
+  if (!options.at.empty()) at_s = parse_time_s("--at", options.at);
   if (!options.picture.empty()) check_writable(options.picture);
   ReplayMission mission({options.file, {}, {}});
   std::uint64_t last = 0;

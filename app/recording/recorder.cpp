@@ -57,7 +57,6 @@ void Recorder::take(const CycleTrace& trace, const Executive& executive) {
     if (filled_ - emptied_ == kSlots) {
       ++report_.lost;
       if (report_.why_lost.empty()) report_.why_lost = "the disk takes in less than is recorded";
-      was_interrupted_ = executive.interrupted();
       return;
     }
   }
@@ -89,9 +88,8 @@ void Recorder::fill(Slot& slot, const CycleTrace& trace, const Executive& execut
   to.stereo.left = left;
   to.stereo.right = right;
   note_decision(trace, executive, slot.cycle.decision);
-  // Ended from outside after the last cycle: this one's decision knew of it.
-  slot.cycle.decision.interrupted = was_interrupted_;
-  was_interrupted_ = executive.interrupted();
+  // Tasks are ended from outside between two cycles only, after the first was taken.
+  slot.cycle.decision.interrupted = executive.interrupted();
 }
 
 void Recorder::work() {

@@ -55,7 +55,6 @@ class Recorder {
 
   // The cycle's side.
   std::uint64_t number_ = 0;
-  bool was_interrupted_ = false;
   bool pictures_queued_ = false;
   TimePoint pictures_stamp_;
 

@@ -42,7 +42,9 @@ TEST(LateObstacles, AreSeenFeltAndJudgedOnlyOnceTheyAreThere) {
   FakePictures pictures;
   SimulatedPioneer robot(world_with(6.0, 4.0, 0.0), 1, {}, &pictures);
   Senses senses;
-  const auto ahead_m = [&] { return senses.laser[senses.laser.size() / 2].distance_m; };
+  const auto ahead_m = [&] {
+    return senses.laser.readings[senses.laser.readings.size() / 2].distance_m;
+  };
   for (int i = 0; i < 30; ++i) ASSERT_TRUE(robot.sense(senses));
   EXPECT_EQ(pictures.scenes.back().absent.size(), 1U);
   EXPECT_GT(ahead_m(), 7.0);
