@@ -25,9 +25,14 @@ Script ScriptReader::read(Node root) {
   }
   const Variables variables = variables_of(root);
   for (Node::Entry& entry : root.entries) {
-    if (entry.key == "vars" || entry.key == "needs") continue;
-    for (Substitution& done : substitute(entry.value, variables, mistakes_)) {
-      script_.substitutions.push_back(std::move(done));
+    if (entry.key == "vars") continue;
+    if (entry.key != "needs") {
+      put_in(variables, entry.value);
+      continue;
+    }
+    // Of what is needed the landmarks may be variables; parameters are names of such.
+    for (Node::Entry& needed : entry.value.entries) {
+      if (needed.key == "landmarks") put_in(variables, needed.value);
     }
   }
   config::MapReader map(root, "the task", mistakes_);
@@ -41,6 +46,12 @@ Script ScriptReader::read(Node root) {
   if (map.require("do")) build(always, *map.raw("do"), finally);
   map.finish();
   return std::move(script_);
+}
+
+void ScriptReader::put_in(const Variables& variables, Node& node) {
+  for (Substitution& done : substitute(node, variables, mistakes_)) {
+    script_.substitutions.push_back(std::move(done));
+  }
 }
 
 Variables ScriptReader::variables_of(const Node& root) {
@@ -106,6 +117,7 @@ void ScriptReader::check_landmarks(const Node& list) {
   if (context_.landmarks == nullptr) return;
   const KnownLandmarks& known = *context_.landmarks;
   for (const Node& item : list.items) {
+    if (item.open) continue;  // checked alone: whoever uses it says which
     if (std::find(known.begin(), known.end(), item.text) != known.end()) continue;
     std::string hint = config::suggest(item.text, known);
     if (hint.empty()) hint = "teach it first, or give another memory";

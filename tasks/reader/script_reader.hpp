@@ -30,6 +30,7 @@ class ScriptReader {
  private:
   /// What `$name` may stand for in this file.
   Variables variables_of(const config::Node& root);
+  void put_in(const Variables& variables, config::Node& node);
   void needed_parameters(const config::Node& root, Variables& variables);
   void read_needs(const config::Node& node);
   std::vector<std::string> names(const config::Node* node, const char* what);
