@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include "app/robot_settings.hpp"
 #include "behaviours/arbiter.hpp"
 #include "behaviours/safety_limiter.hpp"
@@ -22,6 +24,9 @@ struct CycleTrace {
   MotorCommand sent;                        ///< what the limiter let through
   LimitReason limited_by = LimitReason::none;
 };
+
+/// What the robot does and what holds it back, in words for a person.
+[[nodiscard]] std::string doing_text(const ShortText& why, LimitReason limited_by);
 
 /// The whole robot: sees, remembers, wants, moves. `cognitive_cycle.cpp` is the place to start.
 class CognitiveCycle {

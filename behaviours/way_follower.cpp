@@ -31,7 +31,6 @@ constexpr double kTightShare = 0.4;
 constexpr double kHeld_s = 3.0;  // so long it wishes to move and does not
 constexpr double kStands_m_s = 0.015;
 constexpr double kStands_rad_s = 0.03;
-constexpr double kRoomBehind_m = 0.10;  // backs no nearer to where known floor ends
 
 template <class... Args>
 ShortText text(std::string_view format, const Args&... args) {

@@ -47,7 +47,7 @@ class Loop {
     arbiter.offer(MotorOwner::behaviour, wish);
     const MotorCommand command = limiter.limit(arbiter.decide(senses.now), senses, memory);
     memory.remember(command, name);
-    world.send(command);
+    world.send(held ? MotorCommand{} : command);
     return wish;
   }
 
@@ -81,6 +81,7 @@ class Loop {
   std::deque<Percept> pictures;
   int cycles = 0;
   bool camera_off = false;
+  bool held = false;  ///< something lets no motion through
 };
 
 }  // namespace striate::flat
