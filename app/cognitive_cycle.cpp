@@ -1,6 +1,16 @@
 #include "app/cognitive_cycle.hpp"
 
+#include <fmt/format.h>
+
 namespace striate {
+
+std::string doing_text(const ShortText& why, LimitReason limited_by) {
+  std::string doing(why.view());
+  if (limited_by != LimitReason::none && limited_by != LimitReason::acceleration) {
+    doing += fmt::format(" [limited: {}]", name_of(limited_by));
+  }
+  return doing;
+}
 
 CognitiveCycle::CognitiveCycle(Robot& robot, const RobotSettings& settings, Executive& executive)
     : robot_(robot),

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <optional>
+#include <string>
 
 #include "app/robot_settings.hpp"
 #include "behaviours/arbiter.hpp"
@@ -25,6 +26,9 @@ struct CycleTrace {
   MotorCommand sent;                        ///< what the limiter let through
   LimitReason limited_by = LimitReason::none;
 };
+
+/// What the robot does and what holds it back, in words for a person.
+[[nodiscard]] std::string doing_text(const ShortText& why, LimitReason limited_by);
 
 /// The whole robot: sees, remembers, wants, moves. `cognitive_cycle.cpp` is the place to start.
 class CognitiveCycle {

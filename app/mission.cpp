@@ -111,7 +111,11 @@ void Mission::one_cycle_on() {
   const bool stands =
       std::abs(odometry.forward_m_s) < kStands_m_s && std::abs(odometry.turn_rad_s) < kStands_rad_s;
   stands_s_ = stands ? stands_s_ + to_seconds(body_->description().cycle) : 0.0;
-  longest_stand_s_ = std::max(longest_stand_s_, stands_s_);
+  if (stands_s_ > longest_stand_s_) {
+    longest_stand_s_ = stands_s_;
+    longest_stand_why_ = cycle_->trace().wish.why;
+    longest_stand_limit_ = cycle_->trace().limited_by;
+  }
   trail_.add(odometry.pose);
 }
 
@@ -176,6 +180,7 @@ RunResult Mission::result() const {
   }
   result.emergency_stops = cycle_->limiter().emergency_stops();
   result.longest_stand_s = longest_stand_s_;
+  result.longest_stand_why = doing_text(longest_stand_why_, longest_stand_limit_);
   result.cycles = cycles_;
   result.mean_cycle_ms = mean_cycle_ms();
   result.realtime_factor = realtime_factor();

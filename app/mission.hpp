@@ -82,6 +82,8 @@ class Mission {
   std::uint64_t cycles_ = 0;
   double stands_s_ = 0.0;
   double longest_stand_s_ = 0.0;
+  ShortText longest_stand_why_;
+  LimitReason longest_stand_limit_ = LimitReason::none;
   double wall_s_ = 0.0;
   std::string lost_;  ///< why the body was lost; empty: it was not
 };

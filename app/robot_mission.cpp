@@ -98,7 +98,12 @@ void RobotMission::one_cycle_on() {
   const bool stands =
       std::abs(odometry.forward_m_s) < kStands_m_s && std::abs(odometry.turn_rad_s) < kStands_rad_s;
   if (!stands) stands_since_ = senses.now;
-  longest_stand_s_ = std::max(longest_stand_s_, to_seconds(senses.now - stands_since_));
+  const double stands_s = to_seconds(senses.now - stands_since_);
+  if (stands_s > longest_stand_s_) {
+    longest_stand_s_ = stands_s;
+    longest_stand_why_ = cycle_->trace().wish.why;
+    longest_stand_limit_ = cycle_->trace().limited_by;
+  }
 }
 
 double RobotMission::mean_cycle_ms() const {
@@ -128,6 +133,7 @@ RunResult RobotMission::result() const {
   result.duration_s = to_seconds(body_.robot->clock().now() - began_);
   result.emergency_stops = cycle_->limiter().emergency_stops();
   result.longest_stand_s = longest_stand_s_;
+  result.longest_stand_why = doing_text(longest_stand_why_, longest_stand_limit_);
   result.cycles = cycles_;
   result.mean_cycle_ms = mean_cycle_ms();
   result.realtime_factor = 1.0;

@@ -77,6 +77,8 @@ class RobotMission {
   TimePoint began_;
   TimePoint stands_since_;
   double longest_stand_s_ = 0.0;
+  ShortText longest_stand_why_;
+  LimitReason longest_stand_limit_ = LimitReason::none;
   std::string lost_;  ///< why the robot was lost; empty: it was not
 };
 

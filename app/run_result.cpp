@@ -42,6 +42,7 @@ nlohmann::ordered_json to_json(const RunResult& result) {
   json["emergency_stops"] = result.emergency_stops;
   json["longest_stand_s"] = rounded(result.longest_stand_s);
   if (result.from_start_m) json["from_start_m"] = rounded(*result.from_start_m);
+  json["longest_stand_why"] = result.longest_stand_why;
   json["cycles"] = result.cycles;
   json["mean_cycle_ms"] = rounded(result.mean_cycle_ms);
   json["realtime_factor"] = rounded(result.realtime_factor);
@@ -76,11 +77,16 @@ RunResult run_result_from_json(const nlohmann::json& json) {
     json.at("world").get_to(result.world);
     json.at("task").get_to(result.task);
     json.at("emergency_layer").get_to(result.emergency_layer);
+    result.longest_stand_why = json.value("longest_stand_why", std::string());
     result.baseline = json.value("baseline", std::string());
   } catch (const nlohmann::json::exception& error) {
     throw std::runtime_error(fmt::format("not the result of a run: {}", error.what()));
   }
   return result;
+}
+
+std::string stood_for(const RunResult& result) {
+  return result.longest_stand_why.empty() ? "" : " (" + result.longest_stand_why + ")";
 }
 
 void write_file(const std::string& path, const std::string& content) {

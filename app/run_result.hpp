@@ -26,11 +26,12 @@ struct RunResult {
   std::string reason;   ///< in words; empty for a success
   bool reached_goal = false;
   std::vector<CollisionRecord> collisions;
-  double distance_m = 0.0;       ///< truly driven
-  double duration_s = 0.0;       ///< simulated
-  double nearest_pass_m = 0.0;   ///< smallest distance of the robot's outline to anything
-  int emergency_stops = 0;       ///< how often sonar, laser or bumper stepped in
-  double longest_stand_s = 0.0;  ///< longest time without moving
+  double distance_m = 0.0;        ///< truly driven
+  double duration_s = 0.0;        ///< simulated
+  double nearest_pass_m = 0.0;    ///< smallest distance of the robot's outline to anything
+  int emergency_stops = 0;        ///< how often sonar, laser or bumper stepped in
+  double longest_stand_s = 0.0;   ///< longest time without moving
+  std::string longest_stand_why;  ///< what the robot said at its end
   /// Truly, at the end, from where the run began; only for a task whose goal is not the world's
   /// line.
   std::optional<double> from_start_m;
@@ -48,6 +49,9 @@ struct RunResult {
 [[nodiscard]] nlohmann::ordered_json to_json(const RunResult& result);
 /// @throws std::runtime_error where the JSON is no result of a run.
 [[nodiscard]] RunResult run_result_from_json(const nlohmann::json& json);
+
+/// " (why)" of the longest stand; empty where nothing is to be said.
+[[nodiscard]] std::string stood_for(const RunResult& result);
 
 /// Writes beside the target and renames, so that no half-written result is ever seen.
 /// @throws std::runtime_error saying which file and why.

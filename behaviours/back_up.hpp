@@ -1,26 +1,38 @@
 #pragma once
 
 #include "behaviours/behaviour.hpp"
+#include "behaviours/behind.hpp"
 #include "behaviours/straight_line.hpp"
 #include "config/settings.hpp"
 #include "platform/interface/robot.hpp"
 
 namespace striate {
 
-/// Drives straight back over a distance: slowly, because no eye looks there.
+/// Drives straight back over a distance: slowly, because no eye looks there. With `known_floor` it
+/// ends as failed where the floor behind was neither seen free nor driven over.
 class BackUp : public Behaviour {
  public:
   struct Settings {
     double distance_m = 0.3;
     double speed_m_s = 0.12;
+    bool known_floor = false;
   };
-  BackUp(const Settings& settings, const RobotDescription& /*robot*/)
-      : line_(settings.distance_m, -settings.speed_m_s) {}
+  BackUp(const Settings& settings, const RobotDescription& robot)
+      : known_floor_(settings.known_floor),
+        robot_(robot),
+        line_(settings.distance_m, -settings.speed_m_s) {}
   void start(const ShortTermMemory& memory) override { line_.start(memory); }
-  Wish tick(const ShortTermMemory& memory) override { return line_.tick(memory); }
+  Wish tick(const ShortTermMemory& memory) override {
+    const Wish wish = line_.tick(memory);
+    if (!known_floor_ || wish.progress != Progress::running) return wish;
+    if (free_behind_m(memory, robot_) > kRoomBehind_m) return wish;
+    return final_wish(memory, Progress::failed, "the floor behind is not known");
+  }
   [[nodiscard]] Motors motors() const override { return Motors::wheels; }
 
  private:
+  bool known_floor_;
+  RobotDescription robot_;
   StraightLine line_;
 };
 
@@ -29,6 +41,7 @@ void visit(V& v, BackUp::Settings& s) {
   using config::Unit;
   v.number("distance", s.distance_m, Unit::length, {0.02, 5}, "how far");
   v.number("speed", s.speed_m_s, Unit::speed, {0.03, 0.3}, "how fast");
+  v.flag("known_floor", s.known_floor, "only over floor that was seen free or driven over");
 }
 
 }  // namespace striate

@@ -28,7 +28,8 @@ TraverseCorridor::TraverseCorridor(const Settings& settings, const RobotDescript
 
 void TraverseCorridor::start(const ShortTermMemory& memory) {
   const double off_rad = wrap_angle(memory.pose().heading_rad - memory.corridor().axis_rad());
-  back_ = std::abs(off_rad) > 0.5 * std::numbers::pi;
+  if (!failed_) back_ = std::abs(off_rad) > 0.5 * std::numbers::pi;
+  failed_ = false;
   follower_.start(memory);
 }
 
@@ -41,7 +42,9 @@ Wish TraverseCorridor::tick(const ShortTermMemory& memory) {
     const double half_m = 0.5 * memory.corridor().width_m() - settings_.beside_m;
     course.wanted_left_m += settings_.keep == Keep::left ? half_m : -half_m;
   }
-  return follower_.tick(memory, course);
+  const Wish wish = follower_.tick(memory, course);
+  failed_ = wish.progress == Progress::failed;
+  return wish;
 }
 
 }  // namespace striate

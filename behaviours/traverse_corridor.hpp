@@ -11,7 +11,8 @@ namespace striate {
 /// Drives along the corridor: keeps its heading and its middle (or a side), goes round what
 /// stands in it, and always returns to the first heading. Runs until it is halted, or until
 /// `distance` is made good along the corridor. The direction is the one of the corridor's two that
-/// the robot faces at the start.
+/// the robot faces at the start; tried again after a failure it goes on in the direction it had,
+/// because the search for a gap may have turned the robot round.
 class TraverseCorridor : public Behaviour {
  public:
   enum class Keep : std::uint8_t { middle, left, right };
@@ -32,7 +33,8 @@ class TraverseCorridor : public Behaviour {
  private:
   Settings settings_;
   WayFollower follower_;
-  bool back_ = false;  ///< against the axis
+  bool back_ = false;    ///< against the axis
+  bool failed_ = false;  ///< the last time that it ran
 };
 
 template <class V>

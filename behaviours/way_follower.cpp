@@ -6,6 +6,8 @@
 #include <array>
 #include <cmath>
 
+#include "behaviours/behind.hpp"
+
 namespace striate {
 namespace {
 
@@ -26,6 +28,9 @@ constexpr double kForgivenAfter_m = 1.0;  // headway that makes old troubles for
 constexpr double kUnstuck_m = 0.25;
 constexpr int kTightAfter = 2;  // troubles
 constexpr double kTightShare = 0.4;
+constexpr double kHeld_s = 3.0;  // so long it wishes to move and does not
+constexpr double kStands_m_s = 0.015;
+constexpr double kStands_rad_s = 0.03;
 
 template <class... Args>
 ShortText text(std::string_view format, const Args&... args) {
@@ -49,6 +54,7 @@ void WayFollower::start(const ShortTermMemory& memory) {
   last_pose_ = memory.pose();
   impossible_since_ = memory.now();
   mover_since_ = memory.now();
+  free_to_move_at_ = memory.now();
   // The camera has not seen the floor before the wheels: look there before the first metre.
   look_down_until_ = memory.now() + std::chrono::milliseconds(700);
   enter(State::driving, memory);
@@ -57,6 +63,7 @@ void WayFollower::start(const ShortTermMemory& memory) {
 void WayFollower::enter(State state, const ShortTermMemory& memory) {
   state_ = state;
   entered_ = memory.now();
+  free_to_move_at_ = memory.now();
   entered_pose_ = memory.pose();
 }
 
@@ -141,11 +148,13 @@ Wish WayFollower::drive(const ShortTermMemory& memory, const Course& course) {
   wish.forward_m_s = 0.0;
   if (speed < 0.03) {
     impossible_since_ = memory.now();
+    free_to_move_at_ = memory.now();
     wish.why = text("waits: {}", pace.reason);
     return wish;
   }
   const Drive drive = steer(memory, course, speed);
   if (!drive.possible) {
+    free_to_move_at_ = memory.now();
     wish.why = "no arc keeps clear";
     if (to_seconds(memory.now() - impossible_since_) > kImpossible_s) {
       enter(State::waiting, memory);
@@ -153,6 +162,11 @@ Wish WayFollower::drive(const ShortTermMemory& memory, const Course& course) {
     return wish;
   }
   impossible_since_ = memory.now();
+  if (is_held(memory)) {
+    enter(free_behind_m(memory, robot_) > kRoomBehind_m ? State::backing : State::looking, memory);
+    if (state_ == State::backing) note_trouble(memory);
+    return state_ == State::backing ? back(memory) : look(memory);
+  }
   wish.forward_m_s = drive.forward_m_s;
   wish.turn_rad_s = drive.turn_rad_s;
   aim_head(memory, pace, wish);
@@ -160,6 +174,23 @@ Wish WayFollower::drive(const ShortTermMemory& memory, const Course& course) {
     wish.why = text("slow: {}", dim && pace.speed_m_s > speed ? "it is dark" : pace.reason);
   }
   return wish;
+}
+
+// The limiter counts a remembered thing nearer than steering does, and has the last word: what
+// steering finds clear it may refuse for ever.
+bool WayFollower::is_held(const ShortTermMemory& memory) {
+  const bool moves =
+      std::abs(memory.forward_m_s()) > kStands_m_s || std::abs(memory.turn_rad_s()) > kStands_rad_s;
+  if (moves) free_to_move_at_ = memory.now();
+  return to_seconds(memory.now() - free_to_move_at_) > kHeld_s;
+}
+
+void WayFollower::note_trouble(const ShortTermMemory& memory) {
+  ++troubles_;
+  trouble_headway_m_ = headway_m_;
+  planner_.forget_choice();
+  best_headway_at_ = memory.now();
+  best_headway_m_ = headway_m_;
 }
 
 Drive WayFollower::steer(const ShortTermMemory& memory, const Course& course,
@@ -206,12 +237,8 @@ Wish WayFollower::look(const ShortTermMemory& memory) {
   wish.pan_rad = phase < 0.4 ? kSweep_rad : (phase < 0.8 ? -kSweep_rad : 0.0);
   wish.tilt_rad = phase < 0.2 || (phase > 0.4 && phase < 0.6) ? kRestingTilt_rad : kLookDown_rad;
   if (phase < 1.0) return wish;
-  ++troubles_;
-  trouble_headway_m_ = headway_m_;
-  planner_.forget_choice();
+  note_trouble(memory);
   enter(troubles_ % 2 == 0 || !way_is_open() ? State::backing : State::driving, memory);
-  best_headway_at_ = memory.now();
-  best_headway_m_ = headway_m_;
   return wish;
 }
 
@@ -219,7 +246,8 @@ Wish WayFollower::back(const ShortTermMemory& memory) {
   Wish wish = standing_wish(memory, "backs out");
   const Point2 moved = to_inner(entered_pose_, Point2{memory.pose().x_m, memory.pose().y_m});
   const Pose2 behind = along_arc(memory.pose(), -0.1, 0.0, 1.5);
-  const bool clear = steering_.footprint().clearance_m(field_, behind) > 0.03;
+  const bool clear = steering_.footprint().clearance_m(field_, behind) > 0.03 &&
+                     free_behind_m(memory, robot_) > kRoomBehind_m;
   if (-moved.x_m >= settings_.back_m || !clear || since_entered_s(memory) > 5.0) {
     impossible_since_ = memory.now() + from_seconds(0.5);
     enter(way_is_open() ? State::driving : State::waiting, memory);

@@ -71,6 +71,8 @@ class WayFollower {
                             double speed_m_s) const;
   Wish look(const ShortTermMemory& memory);
   Wish back(const ShortTermMemory& memory);
+  [[nodiscard]] bool is_held(const ShortTermMemory& memory);
+  void note_trouble(const ShortTermMemory& memory);
   void enter(State state, const ShortTermMemory& memory);
   [[nodiscard]] bool way_is_open() const;
   [[nodiscard]] double least_margin_m() const;
@@ -95,6 +97,7 @@ class WayFollower {
   TimePoint impossible_since_{};
   TimePoint look_down_until_{};
   TimePoint mover_since_{};
+  TimePoint free_to_move_at_{};  ///< last moved, or did not wish to
 };
 
 }  // namespace striate

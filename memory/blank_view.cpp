@@ -1,14 +1,19 @@
 #include "memory/blank_view.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
 namespace striate {
 namespace {
 
+constexpr double kLeastKnown = 0.12;  // share of columns that know something
 constexpr double kLeastFloor = 0.05;  // share of columns that see floor
 constexpr double kLeastTrust = 0.16;  // confidence in things, mean over columns
-constexpr int kPatience = 3;          // pictures: one may be blurred
+constexpr double kNoisy = 1.0;        // grey levels; from here on noise alone matches
+constexpr double kAhead_rad = 0.25;   // pan while the robot drives where it looks
+constexpr int kPatience = 6;          // pictures: some may be blurred
+constexpr int kSurely = 2;            // so many does one count in which hardly anything is known
 constexpr double kMostPan_rad = 0.8;  // farther round lies the wall that is driven along
 constexpr double kFrom_m = 0.40;      // clear of the robot's own outline
 constexpr double kTo_m = 1.00;        // farther off the skirting would be in view
@@ -16,16 +21,36 @@ constexpr float kGain = 0.6F;
 constexpr float kEnough = 2.0F;  // log-odds
 constexpr double kStep_m = LocalGrid::kCell_m;
 
-/// Noise alone matches here and there, with little confidence: things count by theirs.
-bool is_blank(const std::vector<Column>& columns) {
+/// What the columns of a picture know, as shares of all of them.
+struct Known {
+  double anything = 0.0;
   double floor = 0.0;
-  double trust = 0.0;
+  double trust = 0.0;  ///< in things: each counts by its confidence
+};
+
+Known known_of(const std::vector<Column>& columns) {
+  Known known;
   for (const Column& column : columns) {
-    if (column.free_to_m > column.free_from_m) ++floor;
-    if (std::isfinite(column.obstacle_m)) trust += column.obstacle_confidence;
+    const bool sees_floor = column.free_to_m > column.free_from_m;
+    const bool sees_thing = std::isfinite(column.obstacle_m);
+    if (sees_floor || sees_thing) ++known.anything;
+    if (sees_floor) ++known.floor;
+    if (sees_thing) known.trust += column.obstacle_confidence;
   }
   const auto all = static_cast<double>(columns.size());
-  return floor < kLeastFloor * all && trust < kLeastTrust * all;
+  return {known.anything / all, known.floor / all, known.trust / all};
+}
+
+/// How many pictures this one counts for as a blank surface; 0: it is none. In the dark noise
+/// matches here and there at any distance, with little confidence. That it does is weaker evidence
+/// than a view without any match: it needs more pictures, and counts only ahead, where a robot
+/// that drives on would touch. Aside it would shut narrow places whose walls are as dark.
+int blankness(const Percept& percept, double pan_rad) {
+  const Known known = known_of(percept.columns);
+  if (known.anything < kLeastKnown) return kSurely;
+  const bool noise_alone =
+      percept.noise_level > kNoisy && known.floor < kLeastFloor && known.trust < kLeastTrust;
+  return noise_alone && std::abs(pan_rad) < kAhead_rad ? 1 : 0;
 }
 
 }  // namespace
@@ -33,10 +58,12 @@ bool is_blank(const std::vector<Column>& columns) {
 void BlankView::see(const Percept& percept, const Pose2& pose, LocalGrid& grid) {
   const auto& columns = percept.columns;
   if (columns.empty()) return;
-  blank_pictures_ = is_blank(columns) ? blank_pictures_ + 1 : 0;
   const double left_rad = columns.front().bearing_rad;
   const double right_rad = columns.back().bearing_rad;
-  if (blank_pictures_ < kPatience || std::abs(left_rad + right_rad) > 2.0 * kMostPan_rad) return;
+  const double pan_rad = 0.5 * (left_rad + right_rad);
+  const int blank = blankness(percept, pan_rad);
+  blankness_ = blank > 0 ? std::min(kPatience, blankness_ + blank) : 0;
+  if (blankness_ < kPatience || std::abs(pan_rad) > kMostPan_rad) return;
   for (double r = kFrom_m; r <= kTo_m; r += kStep_m) {
     for (double b = right_rad; b <= left_rad; b += kStep_m / r) {
       const GridCell cell =

@@ -15,7 +15,7 @@ class BlankView {
   void see(const Percept& percept, const Pose2& pose, LocalGrid& grid);
 
  private:
-  int blank_pictures_ = 0;
+  int blankness_ = 0;  ///< of the pictures in a row
 };
 
 }  // namespace striate

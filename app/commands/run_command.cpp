@@ -35,15 +35,11 @@ struct RunOptions {
 std::string status_text(const Mission& mission) {
   const CognitiveCycle& cycle = mission.cycle();
   const CycleTrace& trace = cycle.trace();
-  std::string doing(trace.wish.why.view());
-  if (trace.limited_by != LimitReason::none && trace.limited_by != LimitReason::acceleration) {
-    doing += fmt::format(" [limited: {}]", name_of(trace.limited_by));
-  }
   return fmt::format(
       "{:5.1f} s  {:5.1f} m  {:.2f} m/s  {:.1f} ms a cycle  {:4.1f} x real time  {}: {}",
       to_seconds(trace.senses.now), cycle.memory().progress_m(), trace.senses.odometry.forward_m_s,
       mission.mean_cycle_ms(), mission.realtime_factor(), mission.executive().current_action(),
-      doing);
+      doing_text(trace.wish.why, trace.limited_by));
 }
 
 /// What the task says is shown once, as a line that stays.
@@ -67,10 +63,10 @@ void print_summary(const RunResult& result, const RunOptions& options) {
   fmt::print("  nearest pass      {:.2f} m\n", result.nearest_pass_m);
   fmt::print("  emergency stops   {}{}\n", result.emergency_stops,
              result.emergency_layer ? "" : " (sonar and laser are off)");
-  fmt::print("  longest stand     {:.0f} s\n", result.longest_stand_s);
   if (result.from_start_m) {
     fmt::print("  ends              {:.2f} m from the start\n", *result.from_start_m);
   }
+  fmt::print("  longest stand     {:.0f} s{}\n", result.longest_stand_s, stood_for(result));
   fmt::print("  collisions        {}\n", result.collisions.size());
   for (const CollisionRecord& hit : result.collisions) {
     fmt::print("    {:.1f} s: {} ({}) at {:.1f} m, {:+.2f} m, light {:.2f}\n", hit.time_s, hit.hit,

@@ -47,7 +47,7 @@ void print_summary(const RunResult& result) {
              result.distance_m / std::max(result.duration_s, 0.1));
   fmt::print("  emergency stops   {}{}\n", result.emergency_stops,
              result.emergency_layer ? "" : " (sonar and laser are off)");
-  fmt::print("  longest stand     {:.0f} s\n", result.longest_stand_s);
+  fmt::print("  longest stand     {:.0f} s{}\n", result.longest_stand_s, stood_for(result));
   fmt::print("  thinking          {:.1f} ms a cycle\n", result.mean_cycle_ms);
 }
 

@@ -71,6 +71,17 @@ std::string without_number(std::string name) {
   return name;
 }
 
+std::string long_stands(const std::vector<RunResult>& results) {
+  constexpr double kLong_s = 30.0;
+  std::string text;
+  for (const RunResult& result : results) {
+    if (result.longest_stand_s <= kLong_s) continue;
+    text += fmt::format("- {} seed {}, {:.0f} s{}\n", world_name(result.world), result.seed,
+                        result.longest_stand_s, stood_for(result));
+  }
+  return text;
+}
+
 std::string causes(const std::vector<RunResult>& results) {
   std::map<std::string, int> counts;
   for (const RunResult& result : results) {
@@ -106,7 +117,8 @@ std::string runs_csv(const std::vector<RunResult>& results) {
   std::string csv =
       "world,seed,outcome,reached_goal,collisions,first_hit,hit_moving,hit_light_level,hit_time_s,"
       "hit_along_m,hit_left_m,distance_m,duration_s,nearest_pass_m,emergency_stops,"
-      "longest_stand_s,mean_cycle_ms,realtime_factor,emergency_layer,baseline,reason\n";
+      "longest_stand_s,mean_cycle_ms,realtime_factor,emergency_layer,baseline,reason,"
+      "longest_stand_why\n";
   for (const RunResult& r : results) {
     csv += fmt::format("{},{},{},{},{},", world_name(r.world), r.seed, r.outcome, r.reached_goal,
                        r.collisions.size());
@@ -118,10 +130,13 @@ std::string runs_csv(const std::vector<RunResult>& results) {
                          hit.time_s, hit.along_m, hit.left_m);
     }
     std::string reason = r.reason;
+    std::string stood = r.longest_stand_why;
     std::replace(reason.begin(), reason.end(), '"', '\'');
-    csv += fmt::format("{:.3f},{:.2f},{:.4f},{},{:.1f},{:.3f},{:.2f},{},{},\"{}\"\n", r.distance_m,
-                       r.duration_s, r.nearest_pass_m, r.emergency_stops, r.longest_stand_s,
-                       r.mean_cycle_ms, r.realtime_factor, r.emergency_layer, r.baseline, reason);
+    std::replace(stood.begin(), stood.end(), '"', '\'');
+    csv += fmt::format("{:.3f},{:.2f},{:.4f},{},{:.1f},{:.3f},{:.2f},{},{},\"{}\",\"{}\"\n",
+                       r.distance_m, r.duration_s, r.nearest_pass_m, r.emergency_stops,
+                       r.longest_stand_s, r.mean_cycle_ms, r.realtime_factor, r.emergency_layer,
+                       r.baseline, reason, stood);
   }
   return csv;
 }
@@ -152,6 +167,8 @@ std::string trial_table(const std::vector<RunResult>& results) {
   }
   const std::string failures = causes(results);
   if (!failures.empty()) text += "\nWhat went wrong:\n" + failures;
+  const std::string stands = long_stands(results);
+  if (!stands.empty()) text += "\nStood for more than 30 s:\n" + stands;
   return text;
 }
 

@@ -48,7 +48,7 @@ class Loop {
     arbiter.offer(MotorOwner::behaviour, wish);
     const MotorCommand command = limiter.limit(arbiter.decide(senses.now), senses, memory);
     memory.remember(command, name);
-    world.send(command);
+    world.send(held ? MotorCommand{} : command);
     return wish;
   }
 
@@ -83,6 +83,7 @@ class Loop {
   int cycles = 0;
   bool camera_off = false;
   std::function<void(Loop&)> recognises;  ///< puts sightings into memory
+  bool held = false;  ///< something lets no motion through
 };
 
 }  // namespace striate::flat

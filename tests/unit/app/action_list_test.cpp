@@ -29,7 +29,8 @@ TEST(ActionList, EveryExampleIsAGoodStep) {
 TEST(ActionList, TellsDefaultsRangesAndWhatMustBeGiven) {
   const std::string text = actions_as_text();
   EXPECT_THAT(text, testing::HasSubstr("  back_up: drives straight back\n"
-                                       "      - back_up: {distance: 0.3 m, speed: 0.12 m/s}\n"));
+                                       "      - back_up: {distance: 0.3 m, speed: 0.12 m/s, "
+                                       "known_floor: false}\n"));
   EXPECT_THAT(text, testing::ContainsRegex("      distance +0.3 m +how far \\(0.02 m .. 5 m\\)"));
   EXPECT_THAT(text, testing::ContainsRegex("      text +\\(must be given\\) +what is said"));
   EXPECT_THAT(text, testing::HasSubstr("{battery_below: 20 %}"));

@@ -68,6 +68,15 @@ TEST(TrialTable, GivesABaselineRowsOfItsOwn) {
   EXPECT_THAT(replay_commands(all, ""), HasSubstr("--baseline sgbm"));
 }
 
+TEST(TrialTable, SaysWhyARunStoodLong) {
+  RunResult stood = run("corridor_a", 2, true);
+  stood.longest_stand_s = 31.0;
+  stood.longest_stand_why = "waits: something moves ahead";
+  EXPECT_THAT(trial_table({run("corridor_a", 1, true), stood}),
+              HasSubstr("- corridor_a seed 2, 31 s (waits: something moves ahead)\n"));
+  EXPECT_THAT(trial_table({run("corridor_a", 1, true)}), testing::Not(HasSubstr("Stood")));
+}
+
 TEST(TrialTable, GivesACommandThatRepeatsEachFailedRun) {
   RunResult failed = run("corridor_a", 2, false);
   failed.emergency_layer = false;
@@ -128,8 +137,10 @@ TEST(RunResult, JsonRoundTripKeepsEverything) {
   RunResult result = run("corridor_b", 7, false);
   result.reason = "a \"quoted\" reason";
   result.emergency_layer = false;
+  result.longest_stand_why = "looks round for a gap";
   const RunResult back = run_result_from_json(nlohmann::json::parse(to_json(result).dump()));
   EXPECT_EQ(to_json(back).dump(), to_json(result).dump());
+  EXPECT_EQ(back.longest_stand_why, "looks round for a gap");
   EXPECT_THROW((void)run_result_from_json(nlohmann::json::parse("{\"outcome\": 3}")),
                std::runtime_error);
 }

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "behaviours/back_up.hpp"
+#include "behaviours/behind.hpp"
 #include "behaviours/drive_straight.hpp"
 #include "behaviours/look_around.hpp"
 #include "behaviours/look_at.hpp"
@@ -10,6 +11,7 @@
 #include "behaviours/turn_to.hpp"
 #include "behaviours/wait.hpp"
 #include "tests/reference/flat_run.hpp"
+#include "tests/reference/looks.hpp"
 
 namespace striate {
 namespace {
@@ -45,6 +47,41 @@ TEST(BackUp, DrivesBackAndKeepsItsHeading) {
   EXPECT_EQ(loop.run(back, 20.0).progress, Progress::succeeded);
   EXPECT_NEAR(loop.world.pose().x_m, -0.5, 0.04);
   EXPECT_NEAR(loop.world.pose().y_m, 0.0, 0.02);
+}
+
+TEST(BackUp, WithKnownFloorStaysWhereNothingIsKnownBehind) {
+  flat::Loop loop(open_floor(), 1);
+  BackUp back({.distance_m = 0.5, .speed_m_s = 0.15, .known_floor = true}, loop.robot);
+  const flat::RunResult result = loop.run(back, 20.0);
+  EXPECT_EQ(result.progress, Progress::failed);
+  EXPECT_EQ(result.why, "the floor behind is not known");
+  EXPECT_NEAR(loop.world.pose().x_m, 0.0, 0.01);
+}
+
+TEST(BackUp, WithKnownFloorGoesBackWhereItCameFrom) {
+  flat::Loop loop(open_floor(), 1);
+  DriveStraight drive({.distance_m = 1.5, .speed_m_s = 0.4}, loop.robot);
+  ASSERT_EQ(loop.run(drive, 30.0).progress, Progress::succeeded);
+  const double from_m = loop.world.pose().x_m;
+  BackUp back({.distance_m = 0.5, .speed_m_s = 0.15, .known_floor = true}, loop.robot);
+  back.start(loop.memory);
+  EXPECT_EQ(loop.run(back, 60.0).progress, Progress::succeeded);
+  EXPECT_NEAR(loop.world.pose().x_m, from_m - 0.5, 0.04);
+}
+
+// Without pictures only the way that was driven is known.
+TEST(FreeBehind, IsTheWayThatWasDrivenAndEndsWhereTheRobotTurnedFromIt) {
+  const RobotDescription robot;
+  ShortTermMemory memory({}, robot);
+  int ms = 0;
+  for (double x_m = 0.0; x_m <= 0.6; x_m += 0.03) {
+    memory.update(looks::senses_at(ms += 100, {x_m, 0.0, 0.0}), {});
+  }
+  EXPECT_NEAR(free_behind_m(memory, robot), 0.6, 0.06);
+  for (double turned_rad = 0.0; turned_rad <= 1.6; turned_rad += 0.05) {
+    memory.update(looks::senses_at(ms += 100, {0.6, 0.0, turned_rad}), {});
+  }
+  EXPECT_LE(free_behind_m(memory, robot), kRoomBehind_m);
 }
 
 TEST(DriveStraight, DrivesItsDistance) {
@@ -202,7 +239,7 @@ TEST(BehaviourRegistry, ReadsArgumentsAndReportsWrongOnes) {
 
 TEST(BehaviourRegistry, ListsItsParameters) {
   const auto lines = find_behaviour("back_up")->parameters();
-  ASSERT_EQ(lines.size(), 2U);
+  ASSERT_EQ(lines.size(), 3U);
   EXPECT_EQ(lines[0].key, "distance");
   EXPECT_EQ(lines[0].value, "0.3 m");
 }

@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
+
 #include "behaviours/avoid.hpp"
+#include "behaviours/turn_to.hpp"
 #include "tests/reference/flat_layouts.hpp"
 #include "tests/reference/flat_run.hpp"
 
@@ -89,6 +92,40 @@ TEST(TraverseCorridor, FailsWithAReasonWhereTheCorridorIsShut) {
   EXPECT_EQ(result.progress, Progress::failed);
   EXPECT_NE(result.why.find("no way through"), std::string::npos) << result.why;
   EXPECT_GT(result.end.x_m, 3.0);
+}
+
+// The search for a gap may leave the robot turned round; trying again is not the way back.
+TEST(TraverseCorridor, TriedAgainAfterAFailureItKeepsItsDirection) {
+  flat::Layout layout = plain_corridor(20.0);
+  flat::add_box(layout, {6.0, 0.0}, 0.4, 2.4, 0.0, 0.0, 1.2);
+  flat::Loop loop(layout, 6);
+  TraverseCorridor behaviour({}, loop.robot);
+  const flat::RunResult first = loop.run(behaviour, 400.0);
+  ASSERT_EQ(first.progress, Progress::failed);
+  TurnTo turn({.heading_rad = std::numbers::pi}, loop.robot);
+  turn.start(loop.memory);
+  for (int i = 0; i < 150; ++i) {
+    if (loop.cycle(turn, "turn_to").progress != Progress::running) break;
+  }
+  ASSERT_GT(std::abs(loop.memory.pose().heading_rad), 2.0);
+  behaviour.start(loop.memory);
+  for (int i = 0; i < 200; ++i) loop.cycle(behaviour, "traverse_corridor");
+  EXPECT_GT(loop.world.pose().x_m, first.end.x_m - 1.0);
+  EXPECT_FALSE(loop.world.touched());
+}
+
+TEST(TraverseCorridor, BacksOutSoonWhereItIsHeldThoughItFindsAWay) {
+  flat::Loop loop(plain_corridor(20.0), 9);
+  TraverseCorridor behaviour({}, loop.robot);
+  for (int i = 0; i < 60; ++i) loop.cycle(behaviour, "traverse_corridor");
+  ASSERT_GT(loop.world.forward_m_s(), 0.2);
+  loop.held = true;
+  double backs_after_s = 0.0;
+  for (int i = 1; i <= 100 && backs_after_s == 0.0; ++i) {
+    if (loop.cycle(behaviour, "traverse_corridor").forward_m_s < 0.0) backs_after_s = 0.1 * i;
+  }
+  EXPECT_GT(backs_after_s, 2.0);
+  EXPECT_LT(backs_after_s, 5.0);
 }
 
 TEST(TraverseCorridor, WaitsForSomeoneWhoShutsTheWayAndGoesOn) {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "tests/reference/looks.hpp"
 
 namespace striate {
@@ -42,18 +44,34 @@ TEST(BlankView, NeedsTheWholeViewToBeBlankForSeveralPicturesInARow) {
 }
 
 /// A dark wall close by: noise matches in a fifth of the columns, at any distance.
-TEST(BlankView, WhatNoiseMatchesInTheDarkIsNotSeen) {
+LocalGrid after_noise_alone(double pan_rad, double noise_level) {
   LocalGrid grid;
   BlankView view;
-  for (int i = 1; i < 8; ++i) {
-    Percept percept = looks::blank_percept(100 * i);
+  for (int i = 1; i < 10; ++i) {
+    Percept percept = looks::blank_percept(100 * i, pan_rad);
+    percept.noise_level = noise_level;
     for (std::size_t u = static_cast<std::size_t>(i); u < percept.columns.size(); u += 5) {
       percept.columns[u].obstacle_m = 1.2 + 0.05 * static_cast<double>(u % 40);
       percept.columns[u].obstacle_confidence = 0.5;
     }
     view.see(percept, {}, grid);
   }
-  EXPECT_EQ(ahead(grid, 0.6), FloorState::occupied);
+  return grid;
+}
+
+TEST(BlankView, WhatNoiseMatchesInTheDarkIsNotSeen) {
+  EXPECT_EQ(ahead(after_noise_alone(0.0, 1.6), 0.6), FloorState::occupied);
+}
+
+TEST(BlankView, WhereThereIsLittleNoiseMatchesAreThings) {
+  EXPECT_EQ(ahead(after_noise_alone(0.0, 0.6), 0.6), FloorState::unknown);
+}
+
+// The head sweeps past dark walls on both sides when it looks for a gap: they must not shut it.
+TEST(BlankView, NoiseAloneCountsOnlyAhead) {
+  const LocalGrid grid = after_noise_alone(0.5, 1.6);
+  const GridCell seen = LocalGrid::cell_of({0.6 * std::cos(0.5), 0.6 * std::sin(0.5)});
+  EXPECT_EQ(grid.state(seen), FloorState::unknown);
 }
 
 TEST(BlankView, FarToTheSideIsTheWallThatIsDrivenAlong) {

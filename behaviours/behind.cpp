@@ -1,0 +1,35 @@
+#include "behaviours/behind.hpp"
+
+namespace striate {
+namespace {
+
+constexpr double kReach_m = 1.0;
+constexpr double kBeside_m = 0.025;  // a way driven over is not wider than the robot
+constexpr int kAcross = 8;           // samples, nearer to each other than patches
+constexpr int kHole = 1;             // of them: a column without a match
+
+bool row_is_free(const ShortTermMemory& memory, double behind_m, double half_width_m) {
+  int unknown = 0;
+  for (int i = 0; i <= kAcross; ++i) {
+    const double left_m = half_width_m * (2.0 * i / kAcross - 1.0);
+    const Point2 place = to_outer(memory.pose(), Point2{-behind_m, left_m});
+    const FloorState state = memory.map().state(LocalGrid::cell_of(place));
+    if (state == FloorState::occupied) return false;
+    unknown += state == FloorState::unknown;
+  }
+  return unknown <= kHole;
+}
+
+}  // namespace
+
+double free_behind_m(const ShortTermMemory& memory, const RobotDescription& robot) {
+  const double half_width_m = robot.half_width_m - kBeside_m;
+  double free_m = 0.0;
+  for (double s = LocalGrid::kCell_m; s <= kReach_m + 1e-9; s += LocalGrid::kCell_m) {
+    if (!row_is_free(memory, robot.rear_m + s, half_width_m)) break;
+    free_m = s;
+  }
+  return free_m;
+}
+
+}  // namespace striate

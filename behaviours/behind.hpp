@@ -1,0 +1,16 @@
+#pragma once
+
+#include "memory/short_term_memory.hpp"
+#include "platform/interface/robot.hpp"
+
+namespace striate {
+
+/// Nearer to where known floor ends no behaviour backs by itself.
+inline constexpr double kRoomBehind_m = 0.10;
+
+/// How far straight back from the rear end the floor is known free, all across the robot: seen
+/// free, or driven over a short while ago. No eye looks back while the robot backs, so what is not
+/// known there may be a wall or a person. Metres, 0 .. 1, in steps of a patch.
+[[nodiscard]] double free_behind_m(const ShortTermMemory& memory, const RobotDescription& robot);
+
+}  // namespace striate
