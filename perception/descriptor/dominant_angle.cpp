@@ -2,101 +2,88 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <numbers>
-#include <opencv2/core.hpp>
+
+#include "perception/descriptor/direction_kernels.hpp"
 
 namespace striate {
 namespace {
 
-constexpr int kBefore_px = 6;
-constexpr int kSide_px = 14;
-constexpr int kColumns = 16;  ///< summed in each row; the last two are left out
+using direction_kernels::kBefore_px;
+using direction_kernels::kColumns;
+using direction_kernels::kSide_px;
+
 constexpr double kSigma_px = 2.0;
-constexpr std::size_t kBins = 36;
+constexpr std::size_t kBins = direction_kernels::kBins;
 constexpr int kSmoothings = 6;
 constexpr float kLeastWeight = 0.02F;  ///< beyond 2.8 sigma nothing is counted
 constexpr float kSecondPeak = 0.8F;    ///< of the highest
 
-using Histogram = std::array<float, kBins>;
+/// Bin b is at b + 1; before the first stands the last and behind the last the first.
+using Histogram = std::array<float, kBins + 2>;
 
-/// cos and sin of each orientation.
-struct Directions {
-  std::array<float, kOrientations> u{}, v{};
-  Directions() {
-    for (std::size_t i = 0; i < kOrientations; ++i) {
-      const double theta = static_cast<double>(i) * std::numbers::pi / kOrientations;
-      u[i] = static_cast<float>(std::cos(theta));
-      v[i] = static_cast<float>(std::sin(theta));
-    }
-  }
-};
-
-std::array<float, kSide_px> gaussian_row(double middle) {
-  std::array<float, kSide_px> row{};
-  for (std::size_t x = 0; x < row.size(); ++x) {
+template <std::size_t kSize>
+void gaussian_row(double middle, std::array<float, kSize>& row) {
+  for (std::size_t x = 0; x < kSide_px; ++x) {
     const double d = static_cast<double>(x) - kBefore_px - middle;
     row[x] = static_cast<float>(std::exp(-d * d / (2.0 * kSigma_px * kSigma_px)));
   }
-  return row;
 }
 
-void add(float u, float v, float weight, Histogram& histogram) {
-  const float length = std::sqrt(u * u + v * v) * weight;
-  const float bin = cv::fastAtan2(v, u) * (static_cast<float>(kBins) / 360.0F);
-  const auto low = static_cast<std::size_t>(bin);
-  const float share = bin - static_cast<float>(low);
-  histogram[low % kBins] += length * (1.0F - share);
-  histogram[(low + 1) % kBins] += length * share;
+void close_circle(Histogram& histogram) {
+  histogram[0] = histogram[kBins];
+  histogram[kBins + 1] = histogram[1];
 }
 
-Histogram histogram_of(const pooling_kernels::OddWindow& at, double u, double v) {
-  static const Directions directions;
-  const auto across = gaussian_row(u), down = gaussian_row(v);
-  Histogram histogram{};
+void histogram_of(const pooling_kernels::OddWindow& at, double u, double v, Histogram& histogram) {
+  direction_kernels::Weights weights;
+  gaussian_row(u, weights.across);
+  gaussian_row(v, weights.down);
+  direction_kernels::Shares shares;
+  direction_kernels::share_directions(at, weights, shares);
+  histogram.fill(0.0F);
   for (std::size_t y = 0; y < kSide_px; ++y) {
-    std::array<float, kColumns> sum_u{}, sum_v{};
-    for (std::size_t i = 0; i < kOrientations; ++i) {
-      const std::int16_t* odd =
-          at.odd[i] + (static_cast<std::ptrdiff_t>(y) - kBefore_px) * at.stride - kBefore_px;
-      for (std::size_t x = 0; x < kColumns; ++x) {
-        sum_u[x] += static_cast<float>(odd[x]) * directions.u[i];
-        sum_v[x] += static_cast<float>(odd[x]) * directions.v[i];
-      }
-    }
-    for (std::size_t x = 0; x < kSide_px; ++x) {
-      const float weight = across[x] * down[y];
-      if (weight >= kLeastWeight) add(sum_u[x], sum_v[x], weight, histogram);
+    // The Gaussian has one peak: what counts lies together.
+    std::size_t from = 0, to = kSide_px;
+    while (from < to && weights.across[from] * weights.down[y] < kLeastWeight) ++from;
+    while (to > from && weights.across[to - 1] * weights.down[y] < kLeastWeight) --to;
+    for (std::size_t k = y * kColumns + from; k < y * kColumns + to; ++k) {
+      histogram[static_cast<std::size_t>(shares.bin[k]) + 1] += shares.share[k];
+      histogram[static_cast<std::size_t>(shares.next_bin[k]) + 1] += shares.next_share[k];
     }
   }
-  return histogram;
+  close_circle(histogram);
 }
 
 void smooth(Histogram& histogram) {
   for (int round = 0; round < kSmoothings; ++round) {
-    const Histogram h = histogram;
-    for (std::size_t b = 0; b < kBins; ++b) {
-      histogram[b] = 0.25F * (h[(b + kBins - 1) % kBins] + 2.0F * h[b] + h[(b + 1) % kBins]);
+    float before = histogram[0];
+    for (std::size_t b = 1; b <= kBins; ++b) {
+      const float here = histogram[b];
+      histogram[b] = 0.25F * (before + 2.0F * here + histogram[b + 1]);
+      before = here;
     }
+    close_circle(histogram);
   }
 }
 
 }  // namespace
 
 DominantAngles dominant_angles(const pooling_kernels::OddWindow& at, double u, double v) {
-  Histogram h = histogram_of(at, u, v);
+  Histogram h;
+  histogram_of(at, u, v, h);
   smooth(h);
   struct Peak {
     float height = 0.0F;
     double bin = 0.0;
   };
   std::array<Peak, 2> best;
-  for (std::size_t b = 0; b < kBins; ++b) {
-    const float before = h[(b + kBins - 1) % kBins], after = h[(b + 1) % kBins];
+  for (std::size_t b = 1; b <= kBins; ++b) {
+    const float before = h[b - 1], after = h[b + 1];
     if (h[b] <= before || h[b] < after) continue;
     // The peak of the parabola through the three.
     const double curvature = before - 2.0 * h[b] + after;
-    const Peak peak{h[b], static_cast<double>(b) + 0.5 * (before - after) / curvature};
+    const Peak peak{h[b], static_cast<double>(b - 1) + 0.5 * (before - after) / curvature};
     if (peak.height > best[0].height) {
       best[1] = best[0];
       best[0] = peak;

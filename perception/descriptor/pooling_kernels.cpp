@@ -15,16 +15,20 @@ namespace striate::pooling_kernels::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 std::int16_t LargestResponse(const OddWindow& window) {
-  const hn::CappedTag<std::int16_t, kOrientations> d;
-  auto largest = hn::Zero(d);
+  const hn::CappedTag<std::int16_t, 2 * kOrientations> d;
+  constexpr std::size_t kStep = hn::MaxLanes(d);
+  auto largest = hn::Zero(d), least = hn::Zero(d);
   for (const std::int16_t* plane : window.odd) {
     for (int y = 0; y < kWindowSide_px; ++y, plane += window.stride) {
-      for (std::size_t x = 0; x < kWindowSide_px; x += hn::Lanes(d)) {
-        const auto value = hn::LoadU(d, plane + x);
-        largest = hn::Max(largest, hn::Max(value, hn::SaturatedSub(hn::Zero(d), value)));
+      for (std::size_t x = 0; x < kWindowSide_px; x += kStep) {
+        // The last ones are looked at twice rather than what lies behind them.
+        const auto value = hn::LoadU(d, plane + HWY_MIN(x, kWindowSide_px - kStep));
+        largest = hn::Max(largest, value);
+        least = hn::Min(least, value);
       }
     }
   }
+  largest = hn::Max(largest, hn::SaturatedSub(hn::Zero(d), least));
   return hn::GetLane(hn::MaxOfLanes(d, largest));
 }
 
@@ -47,7 +51,8 @@ struct Directions {
 #if HWY_TARGET == HWY_SCALAR
 void TurnWindow(const OddWindow& window, const Turn& turn, std::int16_t* HWY_RESTRICT out) {
   const Directions from(window, turn);
-  for (int y = 0; y < kWindowSide_px; ++y) {
+  out += kFirstTurned_px * kWindowSide_px * kChannels;
+  for (int y = kFirstTurned_px; y < kBehindTurned_px; ++y) {
     for (int x = 0; x < kWindowSide_px; ++x, out += kChannels) {
       const std::ptrdiff_t at = static_cast<std::ptrdiff_t>(y) * window.stride + x;
       for (int i = 0; i < kOrientations; ++i) {
@@ -62,16 +67,17 @@ void TurnWindow(const OddWindow& window, const Turn& turn, std::int16_t* HWY_RES
   }
 }
 #else
+/// Eight pixels, or twice eight side by side.
 using D8 = hn::FixedTag<std::int16_t, kOrientations>;
-using V8 = hn::Vec<D8>;
+using DMost = hn::CappedTag<std::int16_t, 2 * kOrientations>;
 
-/// Rows become columns: afterwards rows[k] holds element k of all eight.
-HWY_INLINE void Transpose(V8* HWY_RESTRICT rows) {
-  const D8 d;
+/// Rows become columns: afterwards rows[k] holds element k of all eight, in each half by itself.
+template <class D, class V = hn::Vec<D> >
+HWY_INLINE void Transpose(D d, V* HWY_RESTRICT rows) {
   // Three perfect shuffles of 64 elements.
 #pragma GCC unroll 3
   for (int round = 0; round < 3; ++round) {
-    V8 shuffled[kOrientations];
+    V shuffled[kOrientations];
 #pragma GCC unroll 4
     for (int i = 0; i < 4; ++i) {
       shuffled[2 * i] = hn::InterleaveLower(d, rows[i], rows[i + 4]);
@@ -82,31 +88,54 @@ HWY_INLINE void Transpose(V8* HWY_RESTRICT rows) {
   }
 }
 
+/// All channels of pixel k, and of pixel k + 8 in the upper half.
+template <class D, class V = hn::Vec<D> >
+HWY_INLINE void StorePixel(D d, V row, int k, std::int16_t* HWY_RESTRICT out) {
+  const V light = hn::Max(row, hn::Zero(d)), dark = hn::Max(hn::Sub(hn::Zero(d), row), hn::Zero(d));
+  out += k * kChannels;
+#if HWY_MAX_BYTES >= 32
+  if constexpr (hn::MaxLanes(D()) == 2 * kOrientations) {
+    hn::StoreU(hn::ConcatLowerLower(d, dark, light), d, out);
+    hn::StoreU(hn::ConcatUpperUpper(d, dark, light), d, out + kOrientations * kChannels);
+    return;
+  }
+#endif
+  hn::StoreU(light, d, out);
+  hn::StoreU(dark, d, out + kOrientations);
+}
+
+/// As many pixels as d has lanes.
+template <class D, class V = hn::Vec<D> >
+HWY_INLINE void TurnPixels(D d, const Directions& from, std::ptrdiff_t at, std::int16_t fraction,
+                           std::int16_t* HWY_RESTRICT out) {
+  const V share_of_next = hn::Set(d, fraction);
+  V rows[kOrientations];
+  V value = hn::Mul(hn::LoadU(d, from.plane[0] + at), hn::Set(d, from.factor[0]));
+#pragma GCC unroll 8
+  for (int i = 0; i < kOrientations; ++i) {
+    const V next = hn::Mul(hn::LoadU(d, from.plane[i + 1] + at), hn::Set(d, from.factor[i + 1]));
+    // Not the difference of both, which 16 bits may not hold.
+    const V share = hn::Sub(value, hn::MulFixedPoint15(value, share_of_next));
+    rows[i] = hn::Add(share, hn::MulFixedPoint15(next, share_of_next));
+    value = next;
+  }
+  Transpose(d, rows);
+#pragma GCC unroll 8
+  for (int k = 0; k < kOrientations; ++k) StorePixel(d, rows[k], k, out);
+}
+
 void TurnWindow(const OddWindow& window, const Turn& turn, std::int16_t* HWY_RESTRICT out) {
-  const D8 d;
-  const V8 fraction = hn::Set(d, turn.fraction), zero = hn::Zero(d);
   const Directions from(window, turn);
-  for (int y = 0; y < kWindowSide_px; ++y) {
-    for (int x = 0; x < kWindowSide_px; x += kOrientations) {
-      const std::ptrdiff_t at = static_cast<std::ptrdiff_t>(y) * window.stride + x;
-      V8 rows[kOrientations];
-      V8 value = hn::Mul(hn::LoadU(d, from.plane[0] + at), hn::Set(d, from.factor[0]));
-#pragma GCC unroll 8
-      for (int i = 0; i < kOrientations; ++i) {
-        const V8 next =
-            hn::Mul(hn::LoadU(d, from.plane[i + 1] + at), hn::Set(d, from.factor[i + 1]));
-        // Not the difference of both, which 16 bits may not hold.
-        const V8 share = hn::Sub(value, hn::MulFixedPoint15(value, fraction));
-        rows[i] = hn::Add(share, hn::MulFixedPoint15(next, fraction));
-        value = next;
-      }
-      Transpose(rows);
-#pragma GCC unroll 8
-      for (const V8 row : rows) {
-        hn::StoreU(hn::Max(row, zero), d, out);
-        hn::StoreU(hn::Max(hn::Sub(zero, row), zero), d, out + kOrientations);
-        out += kChannels;
-      }
+  constexpr int kStep = static_cast<int>(hn::MaxLanes(DMost()));
+  for (int y = kFirstTurned_px; y < kBehindTurned_px; ++y) {
+    const std::ptrdiff_t at = static_cast<std::ptrdiff_t>(y) * window.stride;
+    std::int16_t* to = out + y * kWindowSide_px * kChannels;
+    int x = 0;
+    for (; x + kStep <= kWindowSide_px; x += kStep) {
+      TurnPixels(DMost(), from, at + x, turn.fraction, to + x * kChannels);
+    }
+    for (; x < kWindowSide_px; x += kOrientations) {
+      TurnPixels(D8(), from, at + x, turn.fraction, to + x * kChannels);
     }
   }
 }
@@ -119,9 +148,9 @@ void PoolAll(const std::int16_t* HWY_RESTRICT window, std::span<const Pool> pool
     for (std::size_t c = 0; c < kChannels; c += hn::Lanes(d)) {
       const std::int16_t* row = window + p.first_pixel * kChannels + c;
       auto sum = hn::Zero(d);
-      for (int y = 0; y < p.taps; ++y, row += kWindowSide_px * kChannels) {
+      for (int y = 0; y < p.height; ++y, row += kWindowSide_px * kChannels) {
         auto along = hn::Zero(d);
-        for (int x = 0; x < p.taps; ++x) {
+        for (int x = 0; x < p.width; ++x) {
           along = hn::SaturatedAdd(along, hn::MulFixedPoint15(hn::LoadU(d, row + x * kChannels),
                                                               hn::Set(d, p.across[x])));
         }

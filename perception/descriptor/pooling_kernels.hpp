@@ -32,13 +32,17 @@ struct Turn {
 };
 
 /// Half-wave rectified: value (y * kWindowSide_px + x) * kChannels + c is [v_c]+ for c < 8 and
-/// [-v_(c-8)]+ above.
+/// [-v_(c-8)]+ above. Only rows kFirstTurned_px .. kBehindTurned_px - 1, which are all that pools
+/// reach; the others of `out` are left as they are.
 void turn_window(const OddWindow& window, const Turn& turn, std::int16_t* out);
+inline constexpr int kFirstTurned_px = 2;
+inline constexpr int kBehindTurned_px = 22;
 
 /// A Gaussian as a product of two rows of taps, in 1/32768.
 struct Pool {
   int first_pixel = 0;  ///< y * kWindowSide_px + x of its upper left tap
-  int taps = 0;         ///< along each side
+  int width = 0;        ///< taps across
+  int height = 0;       ///< and down
   const std::int16_t* across = nullptr;
   const std::int16_t* down = nullptr;
 };

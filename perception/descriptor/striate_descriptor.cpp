@@ -52,15 +52,29 @@ std::vector<std::int16_t> gaussian_taps(int taps, double sigma_px, int part) {
   return result;
 }
 
+/// Cuts zeros off at both ends. @return how many at the front.
+int cut_zeros(std::vector<std::int16_t>& taps) {
+  while (taps.back() == 0) taps.pop_back();
+  const auto first = std::ranges::find_if(taps, [](int tap) { return tap != 0; });
+  const auto cut = static_cast<int>(first - taps.begin());
+  taps.erase(taps.begin(), first);
+  return cut;
+}
+
 Descriptor bits_of(const PooledResponses& pooled, const StriateTable& table) {
   std::int64_t sum = 0;
   for (const std::int32_t value : pooled) sum += value;
   Descriptor descriptor;
-  for (std::size_t b = 0; b < table.size(); ++b) {
-    const std::int64_t difference = std::int64_t{pooled[static_cast<std::size_t>(table[b].first)]} -
-                                    pooled[static_cast<std::size_t>(table[b].second)];
-    const bool larger = difference * 1000 * kPooledValues > sum * table[b].threshold;
-    descriptor.words[b / 64] |= std::uint64_t{larger} << (b % 64);
+  const StriateBit* bit = table.data();
+  for (std::uint64_t& word : descriptor.words) {
+    std::uint64_t bits = 0;
+    for (int b = 0; b < 64; ++b, ++bit) {
+      const std::int64_t difference = pooled[static_cast<std::size_t>(bit->first)] -
+                                      pooled[static_cast<std::size_t>(bit->second)];
+      const bool larger = difference * 1000 * kPooledValues > sum * bit->threshold;
+      bits |= std::uint64_t{larger} << b;
+    }
+    word = bits;
   }
   return descriptor;
 }
@@ -112,14 +126,16 @@ StriateDescriber::StriateDescriber(const StriateSettings& settings)
   turned_window_.resize(pooling_kernels::kWindowValues);
   for (const CircleShape& shape : kCircles) {
     Circle circle;
-    circle.taps = 2 * static_cast<int>(2.65 * shape.sigma_px) + 2;
+    const int taps = 2 * static_cast<int>(2.65 * shape.sigma_px) + 2;
     for (int k = 0; k < shape.points; ++k) {
       const double angle = 2.0 * std::numbers::pi * (k + shape.turn) / shape.points;
       circle.points.emplace_back(shape.radius_px * std::cos(angle),
                                  shape.radius_px * std::sin(angle));
     }
     for (int part = 0; part < kParts; ++part) {
-      circle.rows.push_back(gaussian_taps(circle.taps, shape.sigma_px, part));
+      Taps& row = circle.rows.emplace_back();
+      row.taps = gaussian_taps(taps, shape.sigma_px, part);
+      row.first_px = 1 - taps / 2 + cut_zeros(row.taps);
     }
     circles_.push_back(std::move(circle));
   }
@@ -151,11 +167,12 @@ void StriateDescriber::visit(std::span<const DescribedFrame> frames, See see) {
       const double u = field.u_of(frames[k].u_px);
       const double v = field.v_of(frames[k].v_px);
       const int left = static_cast<int>(u) - kBefore_px, top = static_cast<int>(v) - kBefore_px;
-      DescribedPlace place{{}, u - left, v - top};
+      DescribedPlace place{{}, u - left, v - top, 0};
       place.window.stride = field.responses->odd[0].stride();
       for (std::size_t i = 0; i < kOrientations; ++i) {
         place.window.odd[i] = field.responses->odd[i].row(top) + left;
       }
+      place.largest = pooling_kernels::largest_response(place.window);
       see(k, place);
     }
   }
@@ -163,21 +180,21 @@ void StriateDescriber::visit(std::span<const DescribedFrame> frames, See see) {
 
 void StriateDescriber::pool_place(const DescribedPlace& place, double angle_rad,
                                   PooledResponses& out) {
-  pooling_kernels::turn_window(place.window,
-                               turn_of(angle_rad, pooling_kernels::largest_response(place.window)),
+  pooling_kernels::turn_window(place.window, turn_of(angle_rad, place.largest),
                                turned_window_.data());
   std::array<pooling_kernels::Pool, kPooledPoints> pools;
   const double along = std::cos(angle_rad), across = std::sin(angle_rad);
   std::size_t at = 0;
   for (const Circle& circle : circles_) {
-    const int before = circle.taps / 2 - 1;
     for (const cv::Point2d& point : circle.points) {
       // In whole parts of a pixel; the window begins at 0.
       const int u = parts_of(place.u + along * point.x - across * point.y);
       const int v = parts_of(place.v + across * point.x + along * point.y);
-      pools[at++] = {(v / kParts - before) * kWindowSide_px + u / kParts - before, circle.taps,
-                     circle.rows[static_cast<std::size_t>(u % kParts)].data(),
-                     circle.rows[static_cast<std::size_t>(v % kParts)].data()};
+      const Taps& columns = circle.rows[static_cast<std::size_t>(u % kParts)];
+      const Taps& rows = circle.rows[static_cast<std::size_t>(v % kParts)];
+      pools[at++] = {(v / kParts + rows.first_px) * kWindowSide_px + u / kParts + columns.first_px,
+                     static_cast<int>(columns.taps.size()), static_cast<int>(rows.taps.size()),
+                     columns.taps.data(), rows.taps.data()};
     }
   }
   std::array<std::int16_t, kPooledValues> sums{};

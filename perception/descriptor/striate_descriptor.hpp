@@ -38,7 +38,8 @@ using PooledResponses = std::array<std::int32_t, kPooledValues>;
 /// A frame's surroundings in V1.
 struct DescribedPlace {
   pooling_kernels::OddWindow window;
-  double u = 0.0, v = 0.0;  ///< pixels from the window's first
+  double u = 0.0, v = 0.0;   ///< pixels from the window's first
+  std::int16_t largest = 0;  ///< of the window's responses
 };
 
 /// Striate's own 256-bit descriptor. Ours; only V1 responses enter. The picture is taken at the
@@ -70,10 +71,14 @@ class StriateDescriber {
   void pool(std::span<const DescribedFrame> frames, std::vector<PooledResponses>& out);
 
  private:
+  /// One row of a Gaussian's taps.
+  struct Taps {
+    int first_px = 0;  ///< where they begin, from the pixel left of the middle
+    std::vector<std::int16_t> taps;
+  };
   struct Circle {
-    std::vector<cv::Point2d> points;              ///< px from the middle, of an upright frame
-    int taps = 0;                                 ///< along each side of its Gaussian
-    std::vector<std::vector<std::int16_t>> rows;  ///< of taps, by sixteenths of a pixel
+    std::vector<cv::Point2d> points;  ///< px from the middle, of an upright frame
+    std::vector<Taps> rows;           ///< by sixteenths of a pixel
   };
   template <class See>
   void visit(std::span<const DescribedFrame> frames, See see);

@@ -60,7 +60,7 @@ V1Field V1Scales::respond(int level, const cv::Rect2d& box) {
   field.top = top - reach;
   // The padded picture begins `reach` before the picture.
   const cv::Rect part(left, top, right - left + 2 * reach + 1, bottom - top + 2 * reach + 1);
-  cells_.respond(padded_(part), 0, true, responses_);
+  cells_.respond_simple(padded_(part), SimpleCells::odd, responses_);
   return field;
 }
 

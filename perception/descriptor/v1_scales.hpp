@@ -8,7 +8,7 @@
 
 namespace striate {
 
-/// V1 responses of one part of a picture at one of many sizes.
+/// Responses of odd simple cells to one part of a picture at one of many sizes.
 struct V1Field {
   const V1Responses* responses = nullptr;
   double zoom_u = 1.0, zoom_v = 1.0;  ///< pixels of the picture a pixel of the field
@@ -24,8 +24,8 @@ struct V1Field {
   }
 };
 
-/// The simple cells of a picture at sizes a quarter of an octave apart, each computed where it is
-/// asked for and only around the places that are looked at. Beyond the picture its nearest pixel
+/// The odd simple cells of a picture at sizes a quarter of an octave apart, each computed where it
+/// is asked for and only around the places that are looked at. Beyond the picture its nearest pixel
 /// stands. Keeps its buffers.
 class V1Scales {
  public:

@@ -88,6 +88,14 @@ void KeypointFinder::choose(cv::Size picture) {
 }
 
 void KeypointFinder::find(const cv::Mat1b& grey, std::vector<Keypoint>& out) {
+  locate(grey, out);
+  for (std::size_t k = 0; k < out.size(); ++k) {
+    const Candidate& candidate = candidates_[k];
+    out[k].descriptor = scales_[static_cast<std::size_t>(candidate.scale)].describe(candidate);
+  }
+}
+
+void KeypointFinder::locate(const cv::Mat1b& grey, std::vector<Keypoint>& out) {
   if (grey.empty()) throw std::invalid_argument("KeypointFinder: the picture is empty");
   build_pyramid(grey);
   candidates_.clear();
@@ -106,7 +114,6 @@ void KeypointFinder::find(const cv::Mat1b& grey, std::vector<Keypoint>& out) {
     point.v_px = (candidate.v_px + 0.5) * size_px - 0.5;
     point.wavelength_px = settings_.wavelength_px * std::pow(2.0, 0.5 * candidate.scale);
     point.response = candidate.response;
-    point.descriptor = scales_[static_cast<std::size_t>(candidate.scale)].describe(candidate);
   }
 }
 

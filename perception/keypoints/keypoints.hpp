@@ -25,6 +25,8 @@ class KeypointFinder {
   ///        nothing is allocated here.
   void find(const cv::Mat1b& grey, std::vector<Keypoint>& out);
   [[nodiscard]] std::vector<Keypoint> find(const cv::Mat1b& grey);
+  /// The same without descriptors, which stay zero: for those who describe in another way.
+  void locate(const cv::Mat1b& grey, std::vector<Keypoint>& out);
 
  private:
   void build_pyramid(const cv::Mat1b& grey);

@@ -13,7 +13,7 @@ OrientedKeypoints::OrientedKeypoints(const OrientedSettings& settings)
     : settings_(settings), finder_(settings.keypoints), describer_(StriateSettings{}) {}
 
 void OrientedKeypoints::find(const cv::Mat1b& grey, std::vector<Keypoint>& out) {
-  finder_.find(grey, found_);
+  finder_.locate(grey, found_);
   describe(grey, found_, out);
 }
 

@@ -98,7 +98,7 @@ class StereoMatcher::Work {
   void match_robust(const cv::Mat& left, const cv::Mat& right, DisparityMap& out) {
     const cv::Size size = left.size();
     // The left eye's responses take the place of the right one's, which is still in the cache.
-    cells_.respond(right, 0, true, left_);
+    cells_.respond_simple(right, SimpleCells::even_and_odd, left_);
     phase_codes(left_, rounded_, right_phase_);
     cells_.respond(left, 0, true, left_);
     phase_codes(left_, 0, left_phase_);

@@ -83,7 +83,8 @@ V1Cells::V1Cells(const V1Settings& settings)
                           {pack(p.column_even, false), pack(p.column_even, true)},
                           {pack(p.column_odd, false), pack(p.column_odd, true)},
                           static_cast<std::size_t>(p.slot),
-                          products_++});
+                          products_++,
+                          std::ranges::any_of(p.column_odd, [](int tap) { return tap != 0; })});
     }
     packed_.push_back(std::move(products));
   }
@@ -137,6 +138,10 @@ void V1Cells::sum_boxes(int height) {
   }
 }
 
+bool V1Cells::is_needed(const PackedProduct& p) const {
+  return p.feeds_odd || wanted_.even || wanted_.complex;
+}
+
 /// All row filters on rows 2j - radius and 2j + 1 - radius.
 void V1Cells::filter_row_pair(int j) {
   const int radius = bank_.radius, width = picture_.width();
@@ -151,6 +156,7 @@ void V1Cells::filter_row_pair(int j) {
   const int place = j % (radius + 1);
   for (const std::vector<PackedProduct>& products : packed_) {
     for (const PackedProduct& p : products) {
+      if (!is_needed(p)) continue;
       v1_kernels::filter_rows(rows[0], rows[1], p.row, width,
                               row_sums_.row(p.index * (radius + 1) + place));
     }
@@ -158,18 +164,20 @@ void V1Cells::filter_row_pair(int j) {
 }
 
 /// Output rows y (even) and y + 1.
-void V1Cells::respond_rows(int y, bool simple_cells, V1Responses& out) {
+void V1Cells::respond_rows(int y, V1Responses& out) {
   const int pairs = bank_.radius + 1;
   for (int k = 0; k < pairs; ++k) {
     job_.offsets[static_cast<std::size_t>(k)] =
         static_cast<std::ptrdiff_t>((y / 2 + k) % pairs) * row_sums_.stride();
   }
   job_.rows = std::min(v1_kernels::kRowsAtOnce, out.height - y);
+  job_.odd_only = !wanted_.even && !wanted_.complex;
   auto responses = [&](int orientation, int row) -> v1_kernels::Responses {
     if (orientation < 0 || row >= out.height) return {};
     const auto i = static_cast<std::size_t>(orientation);
-    if (!simple_cells) return {out.code[i].row(row), nullptr, nullptr};
-    return {out.code[i].row(row), out.even[i].row(row), out.odd[i].row(row)};
+    return {wanted_.complex ? out.code[i].row(row) : nullptr,
+            wanted_.even ? out.even[i].row(row) : nullptr,
+            wanted_.odd ? out.odd[i].row(row) : nullptr};
   };
   for (std::size_t index = 0; index < packed_.size(); ++index) {
     const FilterBank::Pair& pair = bank_.pairs[index];
@@ -178,6 +186,7 @@ void V1Cells::respond_rows(int y, bool simple_cells, V1Responses& out) {
     job_.slots[0].clear();
     job_.slots[1].clear();
     for (const PackedProduct& p : packed_[index]) {
+      if (!is_needed(p)) continue;
       job_.slots[p.slot].push_back({row_sums_.row(p.index * pairs),
                                     {p.even[0].data(), p.even[1].data()},
                                     {p.odd[0].data(), p.odd[1].data()}});
@@ -193,6 +202,19 @@ void V1Cells::respond_rows(int y, bool simple_cells, V1Responses& out) {
 }
 
 void V1Cells::respond(const cv::Mat& grey, int margin, bool simple_cells, V1Responses& out) {
+  wanted_ = {true, simple_cells, simple_cells};
+  for (Plane<std::int16_t>& plane : out.code) plane.resize(grey.cols, grey.rows, margin, margin);
+  respond(grey, out);
+  for (Plane<std::int16_t>& plane : out.code) continue_beyond_border(plane);
+}
+
+void V1Cells::respond_simple(const cv::Mat& grey, SimpleCells which, V1Responses& out) {
+  wanted_ = {false, which == SimpleCells::even_and_odd, true};
+  respond(grey, out);
+}
+
+/// What is wanted; the codes' planes have the picture's size.
+void V1Cells::respond(const cv::Mat& grey, V1Responses& out) {
   if (grey.empty()) throw std::invalid_argument("V1Cells: the picture is empty");
   if (grey.type() != CV_8UC1 && grey.type() != CV_16UC1) {
     throw std::invalid_argument("V1Cells: wants grey of 8 bits, or of 16 bits in sixteenths");
@@ -202,11 +224,8 @@ void V1Cells::respond(const cv::Mat& grey, int margin, bool simple_cells, V1Resp
   out.wavelength_px = settings_.wavelength_px;
   out.gain = bank_.gain;
   for (std::size_t i = 0; i < kOrientations; ++i) {
-    out.code[i].resize(grey.cols, grey.rows, margin, margin);
-    if (simple_cells) {
-      out.even[i].resize(grey.cols, grey.rows, 0, 0);
-      out.odd[i].resize(grey.cols, grey.rows, 0, 0);
-    }
+    if (wanted_.even) out.even[i].resize(grey.cols, grey.rows, 0, 0);
+    if (wanted_.odd) out.odd[i].resize(grey.cols, grey.rows, 0, 0);
   }
   take_picture(grey);
   if (settings_.even_mean != EvenMean::envelope) sum_boxes(grey.rows);
@@ -218,9 +237,8 @@ void V1Cells::respond(const cv::Mat& grey, int margin, bool simple_cells, V1Resp
   for (int j = 0; j < radius; ++j) filter_row_pair(j);
   for (int y = 0; y < grey.rows; y += v1_kernels::kRowsAtOnce) {
     filter_row_pair(y / 2 + radius);
-    respond_rows(y, simple_cells, out);
+    respond_rows(y, out);
   }
-  for (Plane<std::int16_t>& plane : out.code) continue_beyond_border(plane);
 }
 
 }  // namespace striate

@@ -34,6 +34,8 @@ struct V1Responses {
 /// C in units of the simple cells' 16-bit responses, from its code.
 [[nodiscard]] float complex_response(std::int16_t code);
 
+enum class SimpleCells { even_and_odd, odd };
+
 /// Simple and complex cells of 8 orientations (the paper's section on V1, equation 1; the model
 /// of Rodrigues and du Buf 2006). Outside the picture it is mirrored without repeating the border
 /// pixel. Keeps its buffers: after the first picture of a size nothing is allocated.
@@ -48,6 +50,10 @@ class V1Cells {
   /// @param simple_cells also fill `even` and `odd`.
   void respond(const cv::Mat& grey, int margin, bool simple_cells, V1Responses& out);
 
+  /// The simple cells only, or of them only the odd ones, which takes less time. The same bits as
+  /// respond() gives; what is not asked for in `out` is left as it is.
+  void respond_simple(const cv::Mat& grey, SimpleCells which, V1Responses& out);
+
   [[nodiscard]] const FilterBank& bank() const { return bank_; }
 
  private:
@@ -55,12 +61,18 @@ class V1Cells {
     v1_kernels::RowTaps row;
     std::array<std::vector<std::int32_t>, 2> even, odd;  ///< for output rows of even and odd y
     std::size_t slot = 0;
-    int index = 0;  ///< counted over all pairs
+    int index = 0;          ///< counted over all pairs
+    bool feeds_odd = true;  ///< has odd taps that are not zero
+  };
+  struct Wanted {
+    bool complex = true, even = true, odd = true;
   };
   void take_picture(const cv::Mat& grey);
+  void respond(const cv::Mat& grey, V1Responses& out);
+  [[nodiscard]] bool is_needed(const PackedProduct& p) const;
   void sum_boxes(int height);
   void filter_row_pair(int j);
-  void respond_rows(int y, bool simple_cells, V1Responses& out);
+  void respond_rows(int y, V1Responses& out);
 
   V1Settings settings_;
   FilterBank bank_;
@@ -74,6 +86,7 @@ class V1Cells {
   Plane<std::int32_t> box_rows_;
   Plane<std::int32_t> box_;
   v1_kernels::ColumnJob job_;
+  Wanted wanted_;
 };
 
 }  // namespace striate

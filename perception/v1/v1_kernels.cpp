@@ -32,7 +32,14 @@ HWY_INLINE V32 MultiplyPairs(V32 a, V32 b) {
 
 /// sum + the two 16-bit products of each 32-bit element.
 HWY_INLINE V32 MultiplyAddPairs(V32 sum, V32 a, V32 b) {
+#if HWY_TARGET == HWY_AVX3_DL
+  // One instruction of this target (AVX512_VNNI), which Highway 1.0 neither has nor lets the
+  // compiler use; the sum stays where it is.
+  asm("vpdpwssd %2, %1, %0" : "+v"(sum.raw) : "v"(a.raw), "v"(b.raw));
+  return sum;
+#else
   return hn::Add(sum, MultiplyPairs(a, b));
+#endif
 }
 
 /// (low, high) as 16-bit halves; both within 16 bits.
@@ -112,9 +119,15 @@ HWY_INLINE void Finish(V32 even_sum, V32 odd_sum, int x, const Responses& to) {
   const hn::Rebind<std::int16_t, D32> d16;
   const V32 even = hn::ShiftRight<FilterBank::kColumnShift>(even_sum);
   const V32 odd = hn::ShiftRight<FilterBank::kColumnShift>(odd_sum);
-  hn::StoreU(hn::DemoteTo(d16, EnergyCode(even, odd)), d16, to.code + x);
+  if (to.code != nullptr) hn::StoreU(hn::DemoteTo(d16, EnergyCode(even, odd)), d16, to.code + x);
   if (to.even != nullptr) hn::StoreU(hn::DemoteTo(d16, even), d16, to.even + x);
   if (to.odd != nullptr) hn::StoreU(hn::DemoteTo(d16, odd), d16, to.odd + x);
+}
+
+HWY_INLINE void FinishOdd(V32 odd_sum, int x, const Responses& to) {
+  const hn::Rebind<std::int16_t, D32> d16;
+  const V32 odd = hn::ShiftRight<FilterBank::kColumnShift>(odd_sum);
+  hn::StoreU(hn::DemoteTo(d16, odd), d16, to.odd + x);
 }
 
 #undef FEW_REGISTERS
@@ -154,7 +167,7 @@ HWY_INLINE void HoldInRegister(V32& v) {
 }
 
 /// Adds what one pair of taps gives.
-template <int kRows, int kCount>
+template <bool kEven, int kRows, int kCount>
 HWY_INLINE void AddTaps(const std::int32_t* HWY_RESTRICT from,
                         const std::int32_t* const (&even_taps)[kRows],
                         const std::int32_t* const (&odd_taps)[kRows], std::size_t k,
@@ -164,7 +177,7 @@ HWY_INLINE void AddTaps(const std::int32_t* HWY_RESTRICT from,
   V32 even_tap[kRows], odd_tap[kRows];
 #pragma GCC unroll 2
   for (int r = 0; r < kRows; ++r) {
-    even_tap[r] = hn::Set(d, even_taps[r][k]);
+    if constexpr (kEven) even_tap[r] = hn::Set(d, even_taps[r][k]);
     odd_tap[r] = hn::Set(d, odd_taps[r][k]);
   }
 #pragma GCC unroll 5
@@ -173,8 +186,10 @@ HWY_INLINE void AddTaps(const std::int32_t* HWY_RESTRICT from,
     HoldInRegister(value);
 #pragma GCC unroll 2
     for (int r = 0; r < kRows; ++r) {
-      s.even[r][v] = MultiplyAddPairs(s.even[r][v], value, even_tap[r]);
-      HoldInRegister(s.even[r][v]);
+      if constexpr (kEven) {
+        s.even[r][v] = MultiplyAddPairs(s.even[r][v], value, even_tap[r]);
+        HoldInRegister(s.even[r][v]);
+      }
       s.odd[r][v] = MultiplyAddPairs(s.odd[r][v], value, odd_tap[r]);
       HoldInRegister(s.odd[r][v]);
     }
@@ -182,7 +197,7 @@ HWY_INLINE void AddTaps(const std::int32_t* HWY_RESTRICT from,
 }
 
 /// Adds what the products of one slot give from x on.
-template <int kRows, int kCount>
+template <bool kEven, int kRows, int kCount>
 SUM_SLOT_INLINE void SumSlot(const ColumnJob& job, std::size_t slot, std::size_t first, int x,
                              Sums<kRows, kCount>& sums) {
   const std::size_t taps = job.offsets.size();
@@ -199,11 +214,11 @@ SUM_SLOT_INLINE void SumSlot(const ColumnJob& job, std::size_t slot, std::size_t
     std::size_t k = 0;
     if constexpr (kTapsAtOnce == 2) {
       for (; k + 1 < taps; k += 2) {
-        AddTaps(from(k), even_taps, odd_taps, k, s);
-        AddTaps(from(k + 1), even_taps, odd_taps, k + 1, s);
+        AddTaps<kEven>(from(k), even_taps, odd_taps, k, s);
+        AddTaps<kEven>(from(k + 1), even_taps, odd_taps, k + 1, s);
       }
     }
-    for (; k < taps; ++k) AddTaps(from(k), even_taps, odd_taps, k, s);
+    for (; k < taps; ++k) AddTaps<kEven>(from(k), even_taps, odd_taps, k, s);
   }
   sums = s;
 }
@@ -238,8 +253,8 @@ HWY_INLINE void FilterBlock(const ColumnJob& job, std::size_t first, int x) {
       slot1.even[r][v] = slot1.odd[r][v] = hn::Zero(d);
     }
   }
-  SumSlot(job, 0, first, x, slot0);
-  SumSlot(job, 1, first, x, slot1);
+  SumSlot<true>(job, 0, first, x, slot0);
+  SumSlot<true>(job, 1, first, x, slot1);
 #pragma GCC unroll 2
   for (int r = 0; r < kRows; ++r) {
     const std::size_t row = first + static_cast<std::size_t>(r);
@@ -248,31 +263,79 @@ HWY_INLINE void FilterBlock(const ColumnJob& job, std::size_t first, int x) {
       const int at = x + v * step;
       Finish(hn::Add(slot0.even[r][v], slot1.even[r][v]), hn::Add(slot0.odd[r][v], slot1.odd[r][v]),
              at, job.direct[row]);
-      if (job.mirrored[row].code == nullptr) continue;
+      if (job.mirrored[row].code == nullptr && job.mirrored[row].odd == nullptr) continue;
       Finish(hn::Sub(slot0.even[r][v], slot1.even[r][v]), hn::Sub(slot0.odd[r][v], slot1.odd[r][v]),
              at, job.mirrored[row]);
     }
   }
 }
 
-template <int kRows>
+/// The same for odd cells only. The sums' `even` are never used.
+template <int kRows, int kCount>
+HWY_INLINE void FilterOddBlock(const ColumnJob& job, std::size_t first, int x) {
+  const D32 d;
+  const int step = static_cast<int>(hn::Lanes(d));
+  const V32 half = hn::Set(d, 1 << (FilterBank::kColumnShift - 1));
+  Sums<kRows, kCount> slot0, slot1;
+#pragma GCC unroll 2
+  for (int r = 0; r < kRows; ++r) {
+#pragma GCC unroll 5
+    for (int v = 0; v < kCount; ++v) {
+      slot0.even[r][v] = slot1.even[r][v] = slot1.odd[r][v] = hn::Zero(d);
+      slot0.odd[r][v] = half;
+    }
+  }
+  SumSlot<false>(job, 0, first, x, slot0);
+  SumSlot<false>(job, 1, first, x, slot1);
+#pragma GCC unroll 2
+  for (int r = 0; r < kRows; ++r) {
+    const std::size_t row = first + static_cast<std::size_t>(r);
+#pragma GCC unroll 5
+    for (int v = 0; v < kCount; ++v) {
+      const int at = x + v * step;
+      FinishOdd(hn::Add(slot0.odd[r][v], slot1.odd[r][v]), at, job.direct[row]);
+      if (job.mirrored[row].odd == nullptr) continue;
+      FinishOdd(hn::Sub(slot0.odd[r][v], slot1.odd[r][v]), at, job.mirrored[row]);
+    }
+  }
+}
+
+template <bool kEven, int kRows, int kCount>
+HWY_INLINE void FilterOneBlock(const ColumnJob& job, std::size_t first, int x) {
+  if constexpr (kEven) {
+    FilterBlock<kRows, kCount>(job, first, x);
+  } else {
+    FilterOddBlock<kRows, kCount>(job, first, x);
+  }
+}
+
+template <bool kEven, int kRows>
 HWY_INLINE void FilterBlocks(const ColumnJob& job, std::size_t first, int width) {
   const int step = static_cast<int>(hn::Lanes(D32()));
   int x = 0;
   for (; x + (kVectors - 1) * step < width; x += kVectors * step) {
-    FilterBlock<kRows, kVectors>(job, first, x);
+    FilterOneBlock<kEven, kRows, kVectors>(job, first, x);
   }
-  for (; x + step < width; x += 2 * step) FilterBlock<kRows, 2>(job, first, x);
-  for (; x < width; x += step) FilterBlock<kRows, 1>(job, first, x);
+  for (; x + step < width; x += 2 * step) FilterOneBlock<kEven, kRows, 2>(job, first, x);
+  for (; x < width; x += step) FilterOneBlock<kEven, kRows, 1>(job, first, x);
 }
 
-void FilterColumns(const ColumnJob& job, int width) {
+template <bool kEven>
+HWY_INLINE void FilterAllRows(const ColumnJob& job, int width) {
   if (job.rows == kRowsInRegisters && kRowsInRegisters == 2) {
-    FilterBlocks<2>(job, 0, width);
+    FilterBlocks<kEven, 2>(job, 0, width);
     return;
   }
   for (int row = 0; row < job.rows; ++row) {
-    FilterBlocks<1>(job, static_cast<std::size_t>(row), width);
+    FilterBlocks<kEven, 1>(job, static_cast<std::size_t>(row), width);
+  }
+}
+
+void FilterColumns(const ColumnJob& job, int width) {
+  if (job.odd_only) {
+    FilterAllRows<false>(job, width);
+  } else {
+    FilterAllRows<true>(job, width);
   }
 }
 

@@ -53,7 +53,7 @@ struct ColumnInput {
   std::array<const std::int32_t*, kRowsAtOnce> odd_taps{};
 };
 
-/// Where the responses of one orientation go; even and odd may be null.
+/// Where the responses of one orientation go; null: not wanted.
 struct Responses {
   std::int16_t* code = nullptr;
   std::int16_t* even = nullptr;
@@ -64,12 +64,13 @@ struct ColumnJob {
   std::array<std::vector<ColumnInput>, 2> slots;
   std::vector<std::ptrdiff_t> offsets;  ///< where the pairs of rows lie, from ColumnInput::rows
   int rows = 0;                         ///< output rows, 1 or 2
+  bool odd_only = false;                ///< even taps are not looked at, only `odd` is written
   /// Sums over the support, of 16 (grey - 128); may be null.
   std::array<const std::int32_t*, kRowsAtOnce> box{};
   std::int32_t box_factor = 0;
   std::int32_t offset = 0;
   std::array<Responses, kRowsAtOnce> direct;    ///< of theta
-  std::array<Responses, kRowsAtOnce> mirrored;  ///< of pi - theta; code null: not wanted
+  std::array<Responses, kRowsAtOnce> mirrored;  ///< of pi - theta; odd and code null: no such one
 };
 
 /// One or two output rows of an orientation pair.

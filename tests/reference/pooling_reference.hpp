@@ -13,11 +13,12 @@ inline int times_15(int a, int b) {
   return (a * b + (1 << 14)) >> 15;
 }
 
+/// Zero in the rows that are left out.
 inline std::vector<std::int16_t> turned_window(const pooling_kernels::OddWindow& window,
                                                const pooling_kernels::Turn& turn) {
   using namespace pooling_kernels;
-  std::vector<std::int16_t> out;
-  for (int y = 0; y < kWindowSide_px; ++y) {
+  std::vector<std::int16_t> out(kFirstTurned_px * kWindowSide_px * kChannels);
+  for (int y = kFirstTurned_px; y < kBehindTurned_px; ++y) {
     for (int x = 0; x < kWindowSide_px; ++x) {
       auto towards = [&](int direction) {
         const int d = direction % kChannels;
@@ -34,6 +35,7 @@ inline std::vector<std::int16_t> turned_window(const pooling_kernels::OddWindow&
       }
     }
   }
+  out.resize(kWindowValues);
   return out;
 }
 
@@ -41,9 +43,9 @@ inline std::int16_t pooled(const std::vector<std::int16_t>& window,
                            const pooling_kernels::Pool& pool, int channel) {
   using namespace pooling_kernels;
   int sum = 0;
-  for (int y = 0; y < pool.taps; ++y) {
+  for (int y = 0; y < pool.height; ++y) {
     int along = 0;
-    for (int x = 0; x < pool.taps; ++x) {
+    for (int x = 0; x < pool.width; ++x) {
       const int pixel = pool.first_pixel + y * kWindowSide_px + x;
       along +=
           times_15(window[static_cast<std::size_t>(pixel * kChannels + channel)], pool.across[x]);

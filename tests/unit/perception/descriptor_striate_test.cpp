@@ -7,6 +7,7 @@
 #include "config/user_error.hpp"
 #include "perception/descriptor/dense_descriptor.hpp"
 #include "perception/descriptor/striate_descriptor.hpp"
+#include "tests/reference/direction_reference.hpp"
 #include "tests/reference/every_target.hpp"
 #include "tests/reference/pooling_reference.hpp"
 #include "tests/reference/test_pictures.hpp"
@@ -165,6 +166,53 @@ TEST(DominantAngle, OfACornerAreTwoAndOneWhereOnlyOneIsAskedFor) {
       << "nothing to see";
 }
 
+/// Odd responses made by rule; also the extreme ones, none at all, and those along the axes.
+std::vector<std::int16_t> odd_values(int stride, int rows) {
+  std::vector<std::int16_t> values(kOrientations * static_cast<std::size_t>(stride * rows));
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    values[k] = static_cast<std::int16_t>(reference::hash_noise(static_cast<int>(k), 8, 1) - 32768);
+    const std::size_t pixel = k % static_cast<std::size_t>(stride * rows);
+    if (pixel % 5 == 1) values[k] = 0;
+    if (pixel % 7 == 2 && k != pixel) values[k] = 0;
+    if (pixel % 11 == 3) values[k] = -32768;
+  }
+  return values;
+}
+
+TEST(DirectionKernels, AreThePlainLoopsOnEveryInstructionSet) {
+  using namespace direction_kernels;
+  constexpr int kStride = 20;
+  const auto values = odd_values(kStride, kSide_px);
+  pooling_kernels::OddWindow at{{}, kStride};
+  for (std::size_t i = 0; i < kOrientations; ++i) {
+    at.odd[i] = &values[i * kStride * kSide_px + kBefore_px * kStride + kBefore_px];
+  }
+  Weights weights;
+  for (std::size_t x = 0; x < kSide_px; ++x) {
+    weights.across[x] = 0.07F * static_cast<float>(x);
+    weights.down[x] = 1.0F / static_cast<float>(x + 1);
+  }
+  Shares expected;
+  reference::share_directions(at, weights, expected);
+  reference::on_every_target([&](const std::string& name) {
+    Shares shares;
+    share_directions(at, weights, shares);
+    EXPECT_EQ(shares.bin, expected.bin) << name;
+    EXPECT_EQ(shares.next_bin, expected.next_bin) << name;
+    EXPECT_EQ(shares.share, expected.share) << name;
+    EXPECT_EQ(shares.next_share, expected.next_share) << name;
+  });
+}
+
+TEST(DirectionKernels, KnowTheArctangentToAHundredthOfADegree) {
+  for (int k = 0; k < 3600; ++k) {
+    const double angle = (k + 0.5) * std::numbers::pi / 1800.0;
+    EXPECT_NEAR(reference::angle_deg(static_cast<float>(std::sin(angle)),
+                                     static_cast<float>(std::cos(angle))),
+                0.1 * (k + 0.5), 0.01);
+  }
+}
+
 TEST(PoolingKernels, AreThePlainLoopsOnEveryInstructionSet) {
   using namespace pooling_kernels;
   constexpr int kStride = 32;
@@ -179,8 +227,8 @@ TEST(PoolingKernels, AreThePlainLoopsOnEveryInstructionSet) {
     window.odd[i] = values.data() + i * kStride * kWindowSide_px;
   }
   const std::vector<std::int16_t> taps = {900, 7000, 14000, 8000, 2500, 368};
-  const std::array<Pool, 2> pools = {{{3 * kWindowSide_px + 5, 6, taps.data(), taps.data()},
-                                      {18 * kWindowSide_px + 18, 4, &taps[1], &taps[2]}}};
+  const std::array<Pool, 2> pools = {{{3 * kWindowSide_px + 5, 6, 6, taps.data(), taps.data()},
+                                      {18 * kWindowSide_px + 18, 4, 3, &taps[1], &taps[2]}}};
   reference::on_every_target([&](const std::string& name) {
     EXPECT_EQ(largest_response(window), 1000) << name;
     for (const Turn& turn : {Turn{0, 0, 1}, Turn{5, 9000, 8}, Turn{15, 32767, 32}}) {

@@ -56,6 +56,22 @@ TEST(KeypointFinder, FindsTheSameThingsInAShiftedPicture) {
   EXPECT_GE(same, 0.9 * inside);
 }
 
+TEST(KeypointFinder, LocatesTheSameKeypointsWithoutDescribingThem) {
+  const cv::Mat1b picture = reference::texture({200, 160}, 3);
+  KeypointFinder finder({});
+  std::vector<Keypoint> located;
+  finder.locate(picture, located);
+  const std::vector<Keypoint> found = finder.find(picture);
+  ASSERT_EQ(located.size(), found.size());
+  ASSERT_FALSE(found.empty());
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    EXPECT_EQ(located[k].u_px, found[k].u_px);
+    EXPECT_EQ(located[k].response, found[k].response);
+    EXPECT_EQ(located[k].descriptor, Descriptor{});
+    EXPECT_NE(found[k].descriptor, Descriptor{});
+  }
+}
+
 TEST(KeypointFinder, ComesStrongestFirstAndKeepsOnlyTheMost) {
   KeypointSettings settings;
   const cv::Mat1b picture = reference::texture({200, 160}, 5);

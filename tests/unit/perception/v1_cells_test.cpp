@@ -54,6 +54,34 @@ TEST(V1Cells, EveryInstructionSetGivesTheBitsOfTheScalarReference) {
   }
 }
 
+void expect_rows(const Plane<std::int16_t>& a, const Plane<std::int16_t>& b, int width,
+                 const std::string& what) {
+  for (int y = 0; y < b.height(); ++y) {
+    EXPECT_TRUE(std::equal(b.row(y), b.row(y) + width, a.row(y))) << what << " row " << y;
+  }
+}
+
+TEST(V1Cells, SimpleCellsAloneAreTheSameOnEveryInstructionSet) {
+  const cv::Size size(67, 21);
+  const cv::Mat1b picture = reference::texture(size, 5, 0, 127);
+  for (const V1Settings& settings : all_settings()) {
+    V1Cells cells(settings);
+    V1Responses all;
+    cells.respond(picture, 3, true, all);
+    reference::on_every_target([&](const std::string& name) {
+      V1Responses both, odd;
+      cells.respond_simple(picture, SimpleCells::even_and_odd, both);
+      cells.respond_simple(picture, SimpleCells::odd, odd);
+      EXPECT_EQ(odd.even[0].height(), 0) << name;
+      for (std::size_t i = 0; i < kOrientations; ++i) {
+        expect_rows(both.even[i], all.even[i], size.width, name + ", even");
+        expect_rows(both.odd[i], all.odd[i], size.width, name + ", odd");
+        expect_rows(odd.odd[i], all.odd[i], size.width, name + ", odd only");
+      }
+    });
+  }
+}
+
 /// Greys with sixteenths of a level.
 cv::Mat1w fine_texture(cv::Size size) {
   cv::Mat1w fine;
