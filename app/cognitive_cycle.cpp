@@ -36,11 +36,16 @@ void CognitiveCycle::remember() {
   memory_.update(trace_.senses, trace_.percept);
 }
 
-/// The task script picks the behaviour, the behaviour says what it wants.
+/// The task script picks the behaviour, the behaviour says what it wants. A pilot goes before it.
 void CognitiveCycle::want() {
   trace_.wish = executive_.tick(memory_, trace_.senses.now);
   if (executive_.owner() != MotorOwner::guard) arbiter_.release(MotorOwner::guard);
   arbiter_.offer(executive_.owner(), trace_.wish);
+  arbiter_.release(MotorOwner::pilot);
+  if (!pilot_) return;
+  if (const std::optional<Wish> wish = pilot_(trace_.senses.now)) {
+    arbiter_.offer(MotorOwner::pilot, *wish);
+  }
 }
 
 /// One owner of the motors, one gate to them; what was really sent is remembered.

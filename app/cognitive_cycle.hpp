@@ -1,5 +1,8 @@
 #pragma once
 
+#include <functional>
+#include <optional>
+
 #include "app/robot_settings.hpp"
 #include "behaviours/arbiter.hpp"
 #include "behaviours/safety_limiter.hpp"
@@ -32,8 +35,14 @@ class CognitiveCycle {
   /// One cycle; false when the body has ended or the mission is over.
   bool step();
 
+  /// Somebody from outside who may take the wheel, asked once a cycle: goes before the behaviours,
+  /// behind guards, and through the same limiter.
+  using Pilot = std::function<std::optional<Wish>(TimePoint now)>;
+  void set_pilot(Pilot pilot) { pilot_ = std::move(pilot); }
+
   [[nodiscard]] const CycleTrace& trace() const { return trace_; }
   [[nodiscard]] const ShortTermMemory& memory() const { return memory_; }
+  [[nodiscard]] const Arbiter& arbiter() const { return arbiter_; }
   [[nodiscard]] const SafetyLimiter& limiter() const { return limiter_; }
 
  private:
@@ -49,6 +58,7 @@ class CognitiveCycle {
   ShortTermMemory memory_;
   Arbiter arbiter_;
   SafetyLimiter limiter_;
+  Pilot pilot_;
   CycleTrace trace_;
 };
 

@@ -51,6 +51,7 @@ int run(int argc, char** argv) {
   striate::add_doctor_command(app, exit_code);
   striate::add_check_command(app, exit_code);
   striate::add_config_command(app, exit_code);
+  striate::add_ros_command(app, exit_code);
   striate::add_eval_command(app, exit_code);
   striate::add_learn_descriptor_command(app, exit_code);
   striate::add_teach_command(app, exit_code);

@@ -5,6 +5,7 @@
 #include <exception>
 
 #include "config/user_error.hpp"
+#include "platform/pioneer/pioneer_robot.hpp"
 
 namespace striate {
 namespace {
@@ -15,6 +16,21 @@ constexpr double kStands_rad_s = 0.02;
 RobotSettings settings_for(const RobotMissionOptions& options) {
   RobotSettings settings = load_robot_settings(options.robot);
   if (!options.emergency_layer) settings.safety.emergency_layer = false;
+  return settings;
+}
+
+/// Stands for ever: somebody else drives.
+Task standing_task() {
+  config::Mistakes mistakes("the task to stand", 'T');
+  Task task = read_task("striate: 1\nmission: stand\ndo:\n  - repeat:\n      - wait: {for: 60 s}\n",
+                        mistakes, RobotDescription{});
+  mistakes.throw_if_any();
+  return task;
+}
+
+}  // namespace
+
+RealBody connect_pioneer(const RobotSettings& settings) {
   const pioneer::DevicePlaces& places = settings.pioneer.devices;
   if (places.base.empty() || places.camera.empty()) {
     throw UserError(
@@ -22,19 +38,23 @@ RobotSettings settings_for(const RobotMissionOptions& options) {
         "where its base and its camera are\n"
         "  hint: config/robots/pioneer.yaml does");
   }
-  return settings;
+  auto robot = std::make_unique<pioneer::PioneerRobot>(settings.pioneer);
+  const auto hold = [&driver = robot->driver()] {
+    const pioneer::HoldReason reason = driver.report().hold;
+    return reason == pioneer::HoldReason::none ? std::string() : std::string(name_of(reason));
+  };
+  return {std::move(robot), places.base, hold};
 }
-
-}  // namespace
 
 RobotMission::RobotMission(const RobotMissionOptions& options)
     : options_(options),
       settings_(settings_for(options)),
-      executive_(load_task(options.task, RobotDescription{}, options.given)),
-      robot_(std::make_unique<pioneer::PioneerRobot>(settings_.pioneer)),
-      watched_(std::make_unique<StopwatchRobot>(*robot_)),
+      executive_(options.task.empty() ? standing_task()
+                                      : load_task(options.task, RobotDescription{}, options.given)),
+      body_(options.body(settings_)),
+      watched_(std::make_unique<StopwatchRobot>(*body_.robot)),
       cycle_(std::make_unique<CognitiveCycle>(*watched_, settings_, executive_)),
-      began_(robot_->clock().now()),
+      began_(body_.robot->clock().now()),
       stands_since_(began_) {}
 
 RunResult RobotMission::run(const EachCycle& each_cycle) {
@@ -84,18 +104,21 @@ RunResult RobotMission::result() const {
   } else if (executive_.state() == MissionState::succeeded) {
     result.outcome = "success";
     result.reason.clear();
+  } else if (!executive_.ended()) {
+    result.outcome = "body_ended";
+    result.reason = "the recording or the robot has ended";
   } else {
     result.outcome = "task_failed";
   }
   result.reached_goal = result.outcome == "success";
   result.distance_m = driven_m_;
-  result.duration_s = to_seconds(robot_->clock().now() - began_);
+  result.duration_s = to_seconds(body_.robot->clock().now() - began_);
   result.emergency_stops = cycle_->limiter().emergency_stops();
   result.longest_stand_s = longest_stand_s_;
   result.cycles = cycles_;
   result.mean_cycle_ms = mean_cycle_ms();
   result.realtime_factor = 1.0;
-  result.world = settings_.pioneer.devices.base;
+  result.world = body_.place;
   result.task = options_.task;
   result.emergency_layer = settings_.safety.emergency_layer;
   return result;

@@ -7,17 +7,27 @@
 #include "app/cognitive_cycle.hpp"
 #include "app/run_result.hpp"
 #include "app/stopwatch_robot.hpp"
-#include "platform/pioneer/pioneer_robot.hpp"
 #include "tasks/task_reader.hpp"
 
 namespace striate {
 
+/// A body that no judge watches, and what is known about it.
+struct RealBody {
+  std::unique_ptr<Robot> robot;
+  std::string place;  ///< where it is: an address, a world, "ROS"
+  /// Why the body's own gate holds it or slows it; "": it does not. May be empty.
+  std::function<std::string()> hold;
+};
+/// The Pioneer whose devices the settings name. @throws UserError where they do not.
+RealBody connect_pioneer(const RobotSettings& settings);
+
 /// What `striate run` without a world is asked for.
 struct RobotMissionOptions {
-  std::string task;
+  std::string task;   ///< empty: to stand, for whoever else drives
   std::string robot;  ///< settings file that says where the devices are
   GivenVariables given;
   bool emergency_layer = true;
+  std::function<RealBody(const RobotSettings&)> body = connect_pioneer;
 };
 
 /// One run of a task with a real robot, or one that is served like a real one. Nobody judges it but
@@ -35,9 +45,12 @@ class RobotMission {
   RunResult run(const EachCycle& each_cycle);
 
   [[nodiscard]] const CognitiveCycle& cycle() const { return *cycle_; }
+  [[nodiscard]] const Robot& body() const { return *body_.robot; }
+  [[nodiscard]] const RobotSettings& settings() const { return settings_; }
+  void set_pilot(CognitiveCycle::Pilot pilot) { cycle_->set_pilot(std::move(pilot)); }
   [[nodiscard]] const Executive& executive() const { return executive_; }
-  /// Why the safety gate holds the robot, or slows it.
-  [[nodiscard]] pioneer::HoldReason hold() { return robot_->driver().report().hold; }
+  /// Why the body's own gate holds the robot, or slows it; "": it does not.
+  [[nodiscard]] std::string hold() const { return body_.hold ? body_.hold() : std::string(); }
   [[nodiscard]] double mean_cycle_ms() const;
 
  private:
@@ -47,7 +60,7 @@ class RobotMission {
   RobotMissionOptions options_;
   RobotSettings settings_;
   Executive executive_;
-  std::unique_ptr<pioneer::PioneerRobot> robot_;
+  RealBody body_;
   std::unique_ptr<StopwatchRobot> watched_;
   std::unique_ptr<CognitiveCycle> cycle_;
   std::uint64_t cycles_ = 0;

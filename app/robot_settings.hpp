@@ -9,6 +9,7 @@
 #include "memory/short_term_memory.hpp"
 #include "perception/perception.hpp"
 #include "platform/pioneer/pioneer_settings.hpp"
+#include "platform/ros/ros_settings.hpp"
 #include "platform/simulator/render/renderer.hpp"
 #include "platform/simulator/simulated_pioneer.hpp"
 
@@ -23,6 +24,7 @@ struct RobotSettings {
   simulator::CameraSettings camera;
   simulator::SimulatorSettings simulator;
   pioneer::PioneerSettings pioneer;
+  ros1::RosSettings ros;
 };
 
 template <class V>
@@ -34,6 +36,7 @@ void visit(V& v, RobotSettings& s) {
   v.section("camera", s.camera);
   v.section("simulator", s.simulator);
   v.section("pioneer", s.pioneer);
+  v.section("ros", s.ros);
 }
 
 /// The defaults, changed by what the file says; "" is the defaults alone.

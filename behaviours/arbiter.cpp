@@ -12,7 +12,8 @@ void Arbiter::release(MotorOwner owner) {
 }
 
 Wish Arbiter::decide(TimePoint now) {
-  for (const MotorOwner owner : {MotorOwner::emergency, MotorOwner::guard, MotorOwner::behaviour}) {
+  for (const MotorOwner owner :
+       {MotorOwner::emergency, MotorOwner::guard, MotorOwner::pilot, MotorOwner::behaviour}) {
     Lease& lease = leases_[static_cast<std::size_t>(owner)];
     if (!lease.held) continue;
     if (now - lease.wish.stamp > kLease) {
@@ -37,6 +38,8 @@ const char* name_of(MotorOwner owner) {
   switch (owner) {
     case MotorOwner::behaviour:
       return "behaviour";
+    case MotorOwner::pilot:
+      return "pilot";
     case MotorOwner::guard:
       return "guard";
     case MotorOwner::emergency:

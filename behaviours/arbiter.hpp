@@ -9,7 +9,7 @@
 namespace striate {
 
 /// Who may want the motors; later names go first.
-enum class MotorOwner : std::uint8_t { nobody, behaviour, guard, emergency };
+enum class MotorOwner : std::uint8_t { nobody, behaviour, pilot, guard, emergency };
 
 /// Gives the motors to one owner at a time. A wish is a lease: an owner that does not renew it
 /// within 200 ms loses the motors, and with nobody left the robot stands.
@@ -30,7 +30,7 @@ class Arbiter {
     bool held = false;
     Wish wish;
   };
-  std::array<Lease, 4> leases_{};
+  std::array<Lease, 5> leases_{};
   MotorOwner owner_ = MotorOwner::nobody;
   double last_pan_rad_ = 0.0;
   double last_tilt_rad_ = 0.0;

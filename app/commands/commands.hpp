@@ -16,6 +16,7 @@ void add_calibrate_command(CLI::App& app, int& exit_code);
 void add_doctor_command(CLI::App& app, int& exit_code);
 void add_check_command(CLI::App& app, int& exit_code);
 void add_config_command(CLI::App& app, int& exit_code);
+void add_ros_command(CLI::App& app, int& exit_code);
 void add_eval_command(CLI::App& app, int& exit_code);
 void add_learn_descriptor_command(CLI::App& app, int& exit_code);
 void add_teach_command(CLI::App& app, int& exit_code);

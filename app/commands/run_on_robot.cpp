@@ -21,14 +21,14 @@ GivenVariables variables(const std::vector<std::string>& given) {
   return variables;
 }
 
-std::string status_text(RobotMission& mission) {
+std::string status_text(const RobotMission& mission) {
   const CycleTrace& trace = mission.cycle().trace();
   std::string doing(trace.wish.why.view());
   if (trace.limited_by != LimitReason::none && trace.limited_by != LimitReason::acceleration) {
     doing += fmt::format(" [limited: {}]", name_of(trace.limited_by));
   }
-  if (const pioneer::HoldReason hold = mission.hold(); hold != pioneer::HoldReason::none) {
-    doing += fmt::format(" [gate: {}]", name_of(hold));
+  if (const std::string hold = mission.hold(); !hold.empty()) {
+    doing += fmt::format(" [gate: {}]", hold);
   }
   return fmt::format("{:5.1f} s  {:5.1f} m  {:.2f} m/s  {:.1f} V  {:.1f} ms a cycle  {}: {}",
                      to_seconds(trace.senses.now), mission.cycle().memory().progress_m(),
@@ -68,8 +68,10 @@ int run_on_robot(const RunOnRobotOptions& options) {
   if (!options.result.empty()) check_writable(options.result);
   const Interrupt interrupt;
   RobotMission mission(asked);
+  if (options.at_begin) options.at_begin(mission);
   StatusLine status(options.quiet || options.json);
   const RunResult result = mission.run([&](const RobotMission&) {
+    if (options.each_cycle) options.each_cycle(mission);
     if (status.due()) status.show(status_text(mission));
     return Interrupt::requested();
   });

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,9 @@ struct RunOnRobotOptions {
   std::string result;
   bool quiet = false;
   bool json = false;
+  /// Who else looks at the run, and may drive: called once before it, and after each cycle.
+  std::function<void(RobotMission&)> at_begin;
+  std::function<void(const RobotMission&)> each_cycle;
 };
 
 /// Runs the task to its end. @returns the exit code.

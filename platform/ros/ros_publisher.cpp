@@ -33,7 +33,8 @@ geometry_msgs::TransformStamped transform(const std::string& from, const std::st
 }  // namespace
 
 struct RosPublisher::Parts {
-  Parts(const RosSettings& given, const RobotDescription& body);
+  Parts(const RosSettings& given, const RobotDescription& body, Tells what);
+  void advertise_body();
   [[nodiscard]] ::ros::Time at(TimePoint stamp) const {
     ::ros::Time time;
     time.fromNSec(static_cast<std::uint64_t>(time_map.ros_ns(stamp)));
@@ -46,6 +47,7 @@ struct RosPublisher::Parts {
 
   RosSettings settings;
   RobotDescription description;
+  Tells tells;
   BodyToRosTime time_map;
   TimePoint picture_stamp{Duration::min()};
   TimePoint laser_stamp{Duration::min()};
@@ -66,15 +68,19 @@ struct RosPublisher::Parts {
   stereo_msgs::DisparityImage disparity_message;
 };
 
-RosPublisher::Parts::Parts(const RosSettings& given, const RobotDescription& body)
-    : settings(given), description(body) {
+RosPublisher::Parts::Parts(const RosSettings& given, const RobotDescription& body, Tells what)
+    : settings(given), description(body), tells(what) {
+  disparity = node.advertise<stereo_msgs::DisparityImage>(settings.disparity, 2);
+  diagnostics = node.advertise<diagnostic_msgs::DiagnosticArray>("/diagnostics", 2);
+  if (tells == Tells::body_and_mind) advertise_body();
+}
+
+void RosPublisher::Parts::advertise_body() {
   odometry = node.advertise<nav_msgs::Odometry>(settings.odometry, 5);
   tf = node.advertise<tf2_msgs::TFMessage>("/tf", 5);
   joints = node.advertise<sensor_msgs::JointState>(settings.joints, 5);
   scan = node.advertise<sensor_msgs::LaserScan>(settings.scan, 2);
   sonar = node.advertise<sensor_msgs::PointCloud>(settings.sonar, 2);
-  disparity = node.advertise<stereo_msgs::DisparityImage>(settings.disparity, 2);
-  diagnostics = node.advertise<diagnostic_msgs::DiagnosticArray>("/diagnostics", 2);
   left = node.advertise<sensor_msgs::Image>(settings.left_image, 2);
   right = node.advertise<sensor_msgs::Image>(settings.right_image, 2);
   left_info = node.advertise<sensor_msgs::CameraInfo>(settings.left_info, 2);
@@ -167,9 +173,10 @@ void RosPublisher::Parts::publish_pictures(const StereoFrame& frame) {
   right.publish(picture_message);
 }
 
-RosPublisher::RosPublisher(const RosSettings& settings, const RobotDescription& description) {
+RosPublisher::RosPublisher(const RosSettings& settings, const RobotDescription& description,
+                           Tells tells) {
   join_ros("striate");
-  parts_ = std::make_unique<Parts>(settings, description);
+  parts_ = std::make_unique<Parts>(settings, description, tells);
 }
 
 RosPublisher::~RosPublisher() = default;
@@ -177,6 +184,7 @@ RosPublisher::~RosPublisher() = default;
 void RosPublisher::publish(const Senses& senses) {
   Parts& p = *parts_;
   p.time_map.tie(senses.now, static_cast<std::int64_t>(::ros::Time::now().toNSec()));
+  if (p.tells == Tells::mind) return;
   p.publish_odometry(senses.odometry);
   p.publish_head(senses);
   p.publish_ranges(senses);

@@ -26,15 +26,18 @@ struct Health {
   std::vector<std::pair<std::string, std::string>> details;  ///< name, value
 };
 
+/// What is told: a robot that ROS has already is not told again.
+enum class Tells { body_and_mind, mind };
+
 /// Tells ROS 1 what a body feels and what the mind makes of it: odometry and tf, picture pairs with
 /// CameraInfo, the head's joints, laser, sonar, disparity, diagnostics. Stamps are ROS time.
 class RosPublisher {
  public:
   /// Joins ROS. @throws see join_ros()
-  RosPublisher(const RosSettings& settings, const RobotDescription& description);
+  RosPublisher(const RosSettings& settings, const RobotDescription& description, Tells tells);
   ~RosPublisher();
 
-  /// Once a cycle. Pictures go out once each.
+  /// Once a cycle, before the others. Pictures go out once each.
   void publish(const Senses& senses);
   /// @param stamp of the picture that it was made from, in body time
   void publish(const Disparity& disparity, TimePoint stamp);

@@ -1,0 +1,155 @@
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <memory>
+#include <string>
+
+#include "app/commands/commands.hpp"
+#include "app/commands/run_on_robot.hpp"
+#include "config/user_error.hpp"
+#ifdef STRIATE_HAS_ROS
+#include "app/ros/replay_bag.hpp"
+#include "app/ros/ros_bodies.hpp"
+#include "app/ros/tell_ros.hpp"
+#endif
+
+namespace striate {
+namespace {
+
+struct RosOptions {
+  RunOnRobotOptions run;
+  std::string world;
+  std::uint64_t seed = 1;
+  bool no_emergency = false;
+};
+
+struct BagOptions {
+  std::string bag;
+  std::string robot;
+  std::string out;
+  int picture_every = 0;
+};
+
+#ifdef STRIATE_HAS_ROS
+
+int run_and_tell(RosOptions& options, ros1::Tells tells, bool cmd_vel_drives) {
+  options.run.mission.emergency_layer = !options.no_emergency;
+  std::unique_ptr<TellRos> ros;
+  options.run.at_begin = [&](RobotMission& mission) {
+    ros = std::make_unique<TellRos>(mission, tells);
+    if (cmd_vel_drives) mission.set_pilot(cmd_vel_pilot(mission.settings().ros));
+    if (options.run.quiet || options.run.json) return;
+    fmt::print("on ROS; Ctrl-C ends it\n");
+    std::fflush(stdout);
+  };
+  options.run.each_cycle = [&](const RobotMission& mission) { ros->tell(mission); };
+  return run_on_robot(options.run);
+}
+
+int serve(RosOptions& options) {
+  if (!options.world.empty()) {
+    options.run.mission.body = [&options](const RobotSettings& settings) {
+      return simulated_body(settings, options.world, options.seed);
+    };
+  }
+  return run_and_tell(options, ros1::Tells::body_and_mind, true);
+}
+
+int run(RosOptions& options) {
+  options.run.mission.body = ros_body;
+  return run_and_tell(options, ros1::Tells::mind, false);
+}
+
+int replay(const BagOptions& options) {
+  return replay_bag({options.bag, options.robot, options.out, options.picture_every});
+}
+
+#else
+
+[[noreturn]] int serve(RosOptions&) {
+  throw UserError(
+      "striate ros: this build is without ROS 1\n"
+      "  hint: install the packages of cmake/packages_ros.txt and build anew");
+}
+
+[[noreturn]] int run(RosOptions& options) {
+  serve(options);
+}
+
+[[noreturn]] int replay(const BagOptions&) {
+  RosOptions none;
+  serve(none);
+}
+
+#endif
+
+void add_common(CLI::App& command, RosOptions& options) {
+  command.add_option("--robot", options.run.mission.robot,
+                     "settings; the section 'ros' names topics and frames");
+  command.add_option("--var", options.run.given, "a variable of the task, as \"way=20 m\"")
+      ->take_all();
+  command.add_option("--result", options.run.result, "JSON file for what came of it");
+  command.add_flag("--no-emergency", options.no_emergency, "sonar and laser do nothing");
+  command.add_flag("--quiet", options.run.quiet, "print nothing");
+  command.add_flag("--json", options.run.json, "print the result as JSON instead of the summary");
+}
+
+void add_serve(CLI::App& ros, const std::shared_ptr<RosOptions>& options, int& exit_code) {
+  CLI::App* command = ros.add_subcommand(
+      "serve",
+      "Runs a robot and shows it to ROS: odometry, tf, pictures, disparity, scan, sonar, joints,\n"
+      "diagnostics. cmd_vel goes before the task while it is not older than 500 ms.\n"
+      "Examples: striate ros serve --world config/worlds/corridor_a.yaml\n"
+      "          striate ros serve config/tasks/corridor.yaml --robot config/robots/pioneer.yaml");
+  command->add_option("task", options->run.mission.task,
+                      "what the robot does by itself; without it, it stands");
+  command->add_option("--world", options->world,
+                      "the simulated Pioneer in this world, in real time; without it the robot is "
+                      "the one that --robot tells of");
+  command->add_option("--seed", options->seed, "of the world")->capture_default_str();
+  add_common(*command, *options);
+  command->callback([options, &exit_code] { exit_code = serve(*options); });
+}
+
+void add_run(CLI::App& ros, const std::shared_ptr<RosOptions>& options, int& exit_code) {
+  CLI::App* command =
+      ros.add_subcommand("run",
+                         "Runs a task on a robot that is only reachable through ROS: stereo "
+                         "pictures and odometry come\n"
+                         "as topics, cmd_vel goes out.\n"
+                         "Example: striate ros run config/tasks/corridor.yaml --var \"way=20 m\"");
+  command->add_option("task", options->run.mission.task, "the task script")->required();
+  add_common(*command, *options);
+  command->callback([options, &exit_code] { exit_code = run(*options); });
+}
+
+void add_replay(CLI::App& ros, int& exit_code) {
+  auto options = std::make_shared<BagOptions>();
+  CLI::App* command = ros.add_subcommand(
+      "replay",
+      "Looks at the stereo pictures of a ROS bag with the whole cycle; needs no ROS master.\n"
+      "Example: striate ros replay drive.bag --out out/drive --picture-every 10");
+  command->add_option("bag", options->bag, "the bag")->required();
+  command->add_option("--robot", options->robot,
+                      "settings; the section 'ros' names topics where they are not found");
+  command->add_option("--out", options->out,
+                      "folder for percepts.jsonl, one line a picture pair, and pictures");
+  command
+      ->add_option("--picture-every", options->picture_every,
+                   "an overview picture every so many picture pairs; 0: none")
+      ->check(CLI::Range(0, 1000000));
+  command->callback([options, &exit_code] { exit_code = replay(*options); });
+}
+
+}  // namespace
+
+void add_ros_command(CLI::App& app, int& exit_code) {
+  CLI::App* command = app.add_subcommand(
+      "ros", "Shows a robot to ROS 1, drives one through it, or looks at a bag.");
+  command->require_subcommand(1);
+  add_serve(*command, std::make_shared<RosOptions>(), exit_code);
+  add_run(*command, std::make_shared<RosOptions>(), exit_code);
+  add_replay(*command, exit_code);
+}
+
+}  // namespace striate

@@ -1,0 +1,107 @@
+#include "app/ros/replay_bag.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <opencv2/core.hpp>
+#include <stdexcept>
+
+#include "app/interrupt.hpp"
+#include "app/perceive_files.hpp"
+#include "app/pictures/overview.hpp"
+#include "platform/ros/bag_robot.hpp"
+
+namespace striate {
+namespace {
+
+using nlohmann::ordered_json;
+
+ordered_json number(double value) {
+  if (!std::isfinite(value)) return nullptr;
+  return std::round(value * 1e4) / 1e4;
+}
+
+/// Share of the disparity map that has a trusted match.
+double known_share(const DisparityMap& map) {
+  if (map.disparity_px.empty()) return 0.0;
+  return cv::countNonZero(map.disparity_px < kNoMatch) /
+         static_cast<double>(map.disparity_px.total());
+}
+
+ordered_json line_of(const CycleTrace& trace) {
+  const Odometry& odometry = trace.senses.odometry;
+  double nearest_m = kNothing_m;
+  for (const Obstacle& one : trace.percept.obstacles) {
+    nearest_m = std::min(nearest_m, one.distance_m);
+  }
+  return {{"time_s", number(to_seconds(trace.senses.now))},
+          {"picture_s", number(to_seconds(trace.senses.stereo.stamp))},
+          {"x_m", number(odometry.pose.x_m)},
+          {"y_m", number(odometry.pose.y_m)},
+          {"heading_rad", number(odometry.pose.heading_rad)},
+          {"disparity_known", number(known_share(trace.percept.disparity))},
+          {"obstacles", trace.percept.obstacles.size()},
+          {"nearest_m", number(nearest_m)},
+          {"salient_regions", trace.percept.saliency.regions.size()}};
+}
+
+/// Writes what is asked for, picture pair by picture pair.
+class Notes {
+ public:
+  explicit Notes(const ReplayBagOptions& options) : options_(options) {
+    if (options_.out.empty()) return;
+    make_folder(options_.out);
+    lines_.open(options_.out + "/percepts.jsonl");
+  }
+  void take(const RobotMission& mission) {
+    const CycleTrace& trace = mission.cycle().trace();
+    if (trace.senses.stereo.stamp == last_) return;
+    last_ = trace.senses.stereo.stamp;
+    ++pairs_;
+    if (options_.out.empty()) return;
+    lines_ << line_of(trace).dump() << '\n';
+    if (options_.picture_every > 0 && pairs_ % options_.picture_every == 0) {
+      write_picture(fmt::format("{}/overview_{:05d}.png", options_.out, pairs_),
+                    pictures::draw_overview(trace.senses.stereo, trace.percept,
+                                            mission.body().description()));
+    }
+  }
+  void finish() {
+    if (options_.out.empty() || lines_.flush()) return;
+    throw std::runtime_error(options_.out + "/percepts.jsonl: cannot be written");
+  }
+  [[nodiscard]] int pairs() const { return pairs_; }
+
+ private:
+  const ReplayBagOptions& options_;
+  std::ofstream lines_;
+  TimePoint last_{Duration::min()};
+  int pairs_ = 0;
+};
+
+}  // namespace
+
+int replay_bag(const ReplayBagOptions& options) {
+  RobotMissionOptions asked;
+  asked.robot = options.robot;
+  asked.body = [&options](const RobotSettings& settings) -> RealBody {
+    return {std::make_unique<ros1::BagRobot>(options.bag, settings.ros), options.bag, {}};
+  };
+  const Interrupt interrupt;
+  RobotMission mission(asked);
+  Notes notes(options);
+  const RunResult result = mission.run([&](const RobotMission& running) {
+    notes.take(running);
+    return Interrupt::requested();
+  });
+  notes.finish();
+  if (result.outcome == "lost") throw std::runtime_error(result.reason);
+  fmt::print("{}: {} picture pairs in {:.1f} s, {:.1f} m by odometry, {:.1f} ms a cycle\n",
+             options.bag, notes.pairs(), result.duration_s, result.distance_m,
+             result.mean_cycle_ms);
+  return result.outcome == "interrupted" ? 130 : 0;
+}
+
+}  // namespace striate

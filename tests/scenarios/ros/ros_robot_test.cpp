@@ -1,0 +1,213 @@
+#include "platform/ros/ros_robot.hpp"
+
+#include <diagnostic_msgs/DiagnosticArray.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <ros/callback_queue.h>
+#include <ros/node_handle.h>
+#include <stereo_msgs/DisparityImage.h>
+#include <tf2_msgs/TFMessage.h>
+
+#include <cmath>
+#include <fstream>
+#include <sstream>
+
+#include "tests/reference/temporary_folder.hpp"
+#include "tests/scenarios/ros/ros_master.hpp"
+
+/// Robots through a real ROS master: what one `striate` shows, another one, or this test, drives.
+namespace striate::scenarios {
+namespace {
+
+using namespace std::chrono_literals;
+using Steady = std::chrono::steady_clock;
+
+/// A small camera and short patience; vision alone is not the point here.
+constexpr const char* kSettings =
+    "camera: {width: 160}\n"
+    "ros: {lost: 1.5 s}\n";
+
+std::string text_of(const std::string& file) {
+  std::stringstream text;
+  text << std::ifstream(file).rdbuf();
+  return text.str();
+}
+
+class ThroughRos : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    if (!RosMaster::installed()) return;
+    folder = std::make_unique<reference::TemporaryFolder>();
+    master = std::make_unique<RosMaster>(folder->path());
+    ASSERT_TRUE(master->answers());
+    robot_file = folder->write("robot.yaml", kSettings);
+  }
+  static void TearDownTestSuite() {
+    master.reset();
+    folder.reset();
+  }
+  void SetUp() override {
+    if (!master) GTEST_SKIP() << "rosmaster is missing: apt-get install python3-rosmaster";
+  }
+
+  static std::unique_ptr<Program> serve(const std::string& world) {
+    return std::make_unique<Program>(
+        std::vector<std::string>{STRIATE_BINARY, "ros", "serve", "--world", world, "--robot",
+                                 robot_file},
+        log("serve"));
+  }
+  static std::unique_ptr<Program> mission(const std::string& way) {
+    return std::make_unique<Program>(
+        std::vector<std::string>{STRIATE_BINARY, "ros", "run", "config/tasks/corridor.yaml",
+                                 "--robot", robot_file, "--var", "way=" + way},
+        log("mission"));
+  }
+  static std::string log(const std::string& name) { return *folder / (name + ".log"); }
+  static ros1::RosSettings settings() {
+    ros1::RosSettings settings;
+    settings.lost_s = 1.5;
+    return settings;
+  }
+
+  static std::unique_ptr<reference::TemporaryFolder> folder;
+  static std::unique_ptr<RosMaster> master;
+  static std::string robot_file;
+};
+std::unique_ptr<reference::TemporaryFolder> ThroughRos::folder;
+std::unique_ptr<RosMaster> ThroughRos::master;
+std::string ThroughRos::robot_file;
+
+/// Senses until it holds or the limit is over. @returns the seconds that it took
+template <class Holds>
+double until(ros1::RosRobot& robot, Senses& senses, double limit_s, const Holds& holds) {
+  const auto begin = Steady::now();
+  double took_s = 0.0;
+  do {
+    robot.sense(senses);
+    took_s = std::chrono::duration<double>(Steady::now() - begin).count();
+  } while (!holds() && took_s < limit_s);
+  return took_s;
+}
+
+bool stands(const Senses& senses) {
+  return std::abs(senses.odometry.forward_m_s) < 0.01 &&
+         std::abs(senses.odometry.turn_rad_s) < 0.02;
+}
+
+TEST_F(ThroughRos, TheSimulatedPioneerIsFeltAndDrivenAndStandsWhenTheCommandsEnd) {
+  const auto server = serve("config/worlds/empty.yaml");
+  ros1::RosRobot robot(settings(), {}, 30s);
+  Senses senses;
+  const MotorCommand forward{0.3, 0.0, 0.2, -0.2};
+  const double took_s = until(robot, senses, 40.0, [&] {
+    robot.send(forward);
+    return senses.odometry.pose.x_m > 1.0;
+  });
+  ASSERT_GT(senses.odometry.pose.x_m, 1.0) << took_s << " s; " << text_of(log("serve"));
+  EXPECT_EQ(senses.stereo.left.cols, 160);
+  EXPECT_EQ(senses.stereo.right.size(), senses.stereo.left.size());
+  EXPECT_NEAR(senses.stereo.focal_px, 203.0, 3.0) << "43 degrees";
+  EXPECT_NEAR(senses.stereo.baseline_m, 0.12, 1e-6);
+  EXPECT_NEAR(senses.head.pan_rad, 0.2, 0.05);
+  EXPECT_NEAR(senses.stereo.head.tilt_rad, -0.2, 0.05);
+  EXPECT_GE(senses.sonar.readings.size(), 4u);
+  EXPECT_GE(senses.laser.readings.size(), 90u);
+  EXPECT_EQ(robot.hold(), "");
+
+  const double stop_s = until(robot, senses, 5.0, [&] { return stands(senses); });
+  RecordProperty("seconds_to_stand", std::to_string(stop_s));
+  EXPECT_TRUE(stands(senses));
+  EXPECT_LT(stop_s, 2.5) << "the lease of 0.5 s, braking from 0.3 m/s, and a loaded machine";
+  EXPECT_EQ(robot.hold(), "no fresh command");
+
+  server->kill(SIGKILL);
+  robot.send(forward);
+  EXPECT_THROW(until(robot, senses, 10.0,
+                     [&] {
+                       robot.send(forward);
+                       return false;
+                     }),
+               std::runtime_error);
+  EXPECT_THAT(robot.hold(), testing::StartsWith("no "));
+}
+
+TEST_F(ThroughRos, AMissionDrivesByVisionAndTheRobotStandsWhenItIsKilled) {
+  const auto server = serve("config/worlds/short.yaml");
+  ros1::RosRobot onlooker(settings(), {}, 30s);
+  Senses senses;
+  auto first = mission("2 m");
+  EXPECT_EQ(first->wait(60s), 0) << text_of(log("mission"));
+  onlooker.sense(senses);
+  EXPECT_GT(senses.odometry.pose.x_m, 1.7);
+  EXPECT_THAT(text_of(log("mission")), testing::HasSubstr("success"));
+
+  auto second = mission("20 m");
+  until(onlooker, senses, 30.0, [&] { return senses.odometry.forward_m_s > 0.1; });
+  ASSERT_GT(senses.odometry.forward_m_s, 0.1) << text_of(log("mission"));
+  second->kill(SIGKILL);
+  const double stop_s = until(onlooker, senses, 5.0, [&] { return stands(senses); });
+  RecordProperty("seconds_to_stand", std::to_string(stop_s));
+  EXPECT_TRUE(stands(senses));
+  EXPECT_LT(stop_s, 2.5);
+
+  auto third = mission("20 m");
+  until(onlooker, senses, 30.0, [&] { return senses.odometry.forward_m_s > 0.1; });
+  ASSERT_GT(senses.odometry.forward_m_s, 0.1) << text_of(log("mission"));
+  server->kill(SIGKILL);
+  EXPECT_EQ(third->wait(20s), 1) << "the robot is lost";
+  EXPECT_THAT(text_of(log("mission")), testing::HasSubstr("the robot is lost"));
+}
+
+/// What an onlooker in ROS gets.
+struct Heard {
+  stereo_msgs::DisparityImageConstPtr disparity;
+  diagnostic_msgs::DiagnosticArrayConstPtr diagnostics;
+  tf2_msgs::TFMessageConstPtr tf;
+};
+
+TEST_F(ThroughRos, DisparityDiagnosticsAndFramesAreShown) {
+  const auto server = serve("config/worlds/short.yaml");
+  ros1::RosRobot robot(settings(), {}, 30s);  // joins ROS
+  ::ros::CallbackQueue queue;
+  ::ros::NodeHandle node;
+  node.setCallbackQueue(&queue);
+  Heard heard;
+  const boost::function<void(const stereo_msgs::DisparityImageConstPtr&)> on_disparity =
+      [&](const auto& message) { heard.disparity = message; };
+  const boost::function<void(const diagnostic_msgs::DiagnosticArrayConstPtr&)> on_diagnostics =
+      [&](const auto& message) { heard.diagnostics = message; };
+  const boost::function<void(const tf2_msgs::TFMessageConstPtr&)> on_tf = [&](const auto& message) {
+    heard.tf = message;
+  };
+  const auto a = node.subscribe<stereo_msgs::DisparityImage>("stereo/disparity", 1, on_disparity);
+  const auto b =
+      node.subscribe<diagnostic_msgs::DiagnosticArray>("/diagnostics", 1, on_diagnostics);
+  const auto c = node.subscribe<tf2_msgs::TFMessage>("/tf", 1, on_tf);
+  const auto end = Steady::now() + 20s;
+  while (Steady::now() < end && !(heard.disparity && heard.diagnostics && heard.tf)) {
+    queue.callAvailable(::ros::WallDuration(0.1));
+  }
+  ASSERT_TRUE(heard.disparity && heard.diagnostics && heard.tf) << text_of(log("serve"));
+  EXPECT_EQ(heard.disparity->image.encoding, "32FC1");
+  EXPECT_NEAR(heard.disparity->T, 0.12F, 1e-6F);
+  EXPECT_EQ(heard.disparity->image.data.size(),
+            heard.disparity->image.width * heard.disparity->image.height * 4);
+  ASSERT_EQ(heard.diagnostics->status.size(), 1u);
+  EXPECT_EQ(heard.diagnostics->status[0].name, "striate: mission");
+  ASSERT_EQ(heard.tf->transforms.size(), 3u);
+  EXPECT_EQ(heard.tf->transforms[0].header.frame_id, "odom");
+  EXPECT_EQ(heard.tf->transforms[0].child_frame_id, "base_link");
+  EXPECT_NEAR(heard.tf->transforms[1].transform.translation.z, 1.2, 1e-9);
+}
+
+TEST_F(ThroughRos, ARobotThatIsNotThereIsNamedByItsTopic) {
+  try {
+    ros1::RosRobot robot(settings(), {}, 300ms);
+    FAIL() << "nobody publishes";
+  } catch (const std::runtime_error& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("no odometry came on /odom"));
+  }
+}
+
+}  // namespace
+}  // namespace striate::scenarios

@@ -1,0 +1,67 @@
+#include "platform/ros/stamp_map.hpp"
+
+#include <gtest/gtest.h>
+
+#include "platform/ros/body_to_ros_time.hpp"
+
+namespace striate::ros1 {
+namespace {
+
+using namespace std::chrono_literals;
+constexpr std::int64_t kFar_ns = 1'700'000'000'000'000'000;
+
+std::int64_t stamp(Duration since) {
+  return kFar_ns + since.count();
+}
+
+TEST(StampMap, TheMessageLeastUnderWayTellsTheClocksApart) {
+  StampMap map;
+  EXPECT_EQ(map.to_body(stamp(0ms), TimePoint(1050ms)), TimePoint(1050ms));
+  EXPECT_EQ(map.to_body(stamp(100ms), TimePoint(1110ms)), TimePoint(1110ms));
+  // This one was 40 ms longer under way.
+  const TimePoint late = map.to_body(stamp(200ms), TimePoint(1250ms));
+  EXPECT_NEAR(to_seconds(late), 1.210, 0.001);
+}
+
+TEST(StampMap, NoStampIsInTheFuture) {
+  StampMap map;
+  for (int i = 0; i < 200; ++i) {
+    const TimePoint arrived(i * 100ms + (i * 37 % 60) * 1ms);
+    EXPECT_LE(map.to_body(stamp(i * 100ms), arrived), arrived);
+  }
+}
+
+TEST(StampMap, FollowsAClockThatDriftsAway) {
+  StampMap map;
+  double age_s = 0.0;
+  for (int i = 0; i < 36000; ++i) {  // one hour, the sender 100 ppm too slow
+    const TimePoint arrived(i * 100'010us);
+    age_s = to_seconds(arrived - map.to_body(stamp(i * 100ms), arrived));
+  }
+  EXPECT_LT(age_s, 0.01);
+}
+
+TEST(StampMap, BeginsAnewWhenTheClockWasSet) {
+  StampMap map;
+  (void)map.to_body(stamp(0s), TimePoint(1s));
+  EXPECT_EQ(map.to_body(stamp(-50s), TimePoint(2s)), TimePoint(2s));
+  EXPECT_EQ(map.to_body(stamp(900s), TimePoint(3s)), TimePoint(3s));
+}
+
+TEST(StampMap, WithoutAStampTheArrivalCounts) {
+  StampMap map;
+  EXPECT_EQ(map.to_body(0, TimePoint(7s)), TimePoint(7s));
+}
+
+TEST(BodyToRosTime, KeepsDistancesAndCatchesUpWhereTheBodyIsSlow) {
+  BodyToRosTime time;
+  time.tie(TimePoint(1s), stamp(0s));
+  EXPECT_EQ(time.ros_ns(TimePoint(900ms)), stamp(-100ms));
+  time.tie(TimePoint(1100ms), stamp(120ms));  // 20 ms: what a scheduler makes
+  EXPECT_EQ(time.ros_ns(TimePoint(1100ms)), stamp(100ms));
+  time.tie(TimePoint(1200ms), stamp(300ms));
+  EXPECT_EQ(time.ros_ns(TimePoint(1200ms)), stamp(300ms));
+}
+
+}  // namespace
+}  // namespace striate::ros1
