@@ -7,10 +7,18 @@ CognitiveCycle::CognitiveCycle(Robot& robot, const RobotSettings& settings, Exec
       executive_(executive),
       perception_(settings.perception, robot.description()),
       memory_(settings.memory, robot.description()),
-      limiter_(settings.safety, robot.description()) {}
+      limiter_(settings.safety, robot.description()) {
+  perception_.landmarks().set_clock(&robot.clock());
+}
 
 CognitiveCycle::~CognitiveCycle() {
   robot_.stop();
+}
+
+/// Object models are defined in perception, kept by memory, and handed in here.
+void CognitiveCycle::know(FamiliarLandmarks landmarks) {
+  landmarks_ = std::move(landmarks);
+  landmarks_.hand_over(perception_.landmarks());
 }
 
 /// One cycle of the robot: from light to motion.
@@ -23,17 +31,25 @@ bool CognitiveCycle::step() {
   return !executive_.ended();
 }
 
-/// V1 -> stereo -> obstacles, motion, corridor, saliency, keypoints. A picture is looked at once.
+/// V1 -> stereo -> obstacles, motion, corridor, saliency, keypoints, recognition of landmarks,
+/// where memory guides the eye. A picture is looked at once.
 void CognitiveCycle::see() {
   odometry_.add(trace_.senses.odometry.stamp, trace_.senses.odometry.pose);
   const StereoFrame& picture = trace_.senses.stereo;
   const bool is_new = !picture.left.empty() && picture.stamp != trace_.percept.stamp;
-  if (is_new) trace_.percept = perception_.see(picture, odometry_.at(picture.stamp));
+  if (!is_new) return;
+  const Pose2 base = odometry_.at(picture.stamp);
+  landmarks_.guide(memory_, base, perception_.landmarks());
+  trace_.percept = perception_.see(picture, base);
 }
 
-/// What was seen is put where it was seen, moved by odometry; what is old fades.
+/// What was seen is put where it was seen, moved by odometry; what is old fades. Landmarks get
+/// their names, and what they teach is noted.
 void CognitiveCycle::remember() {
   memory_.update(trace_.senses, trace_.percept);
+  trace_.sightings = landmarks_.name(trace_.percept);
+  for (const LandmarkSighting& sighting : trace_.sightings) memory_.recognise(sighting);
+  trace_.lessons = landmarks_.learn(trace_.percept, memory_);
 }
 
 /// The task script picks the behaviour, the behaviour says what it wants. A pilot goes before it.

@@ -6,6 +6,7 @@
 #include "app/robot_settings.hpp"
 #include "behaviours/arbiter.hpp"
 #include "behaviours/safety_limiter.hpp"
+#include "memory/familiar_landmarks.hpp"
 #include "memory/odometry_history.hpp"
 #include "memory/short_term_memory.hpp"
 #include "perception/perception.hpp"
@@ -18,8 +19,10 @@ namespace striate {
 struct CycleTrace {
   Senses senses;
   Percept percept;
-  Wish wish;          ///< what the behaviour wanted
-  MotorCommand sent;  ///< what the limiter let through
+  std::vector<LandmarkSighting> sightings;  ///< landmarks recognised in a picture of this cycle
+  std::vector<LandmarkLesson> lessons;      ///< what they teach, for the long-term memory to keep
+  Wish wish;                                ///< what the behaviour wanted
+  MotorCommand sent;                        ///< what the limiter let through
   LimitReason limited_by = LimitReason::none;
 };
 
@@ -32,6 +35,17 @@ class CognitiveCycle {
   CognitiveCycle(const CognitiveCycle&) = delete;
   CognitiveCycle& operator=(const CognitiveCycle&) = delete;
 
+  /// What is known of places. Before the first step; without it no place is estimated.
+  void know_places(const PlaceKnowledge& knowledge) { memory_.know_places(knowledge); }
+  /// What is new about places. @param operating_s operating time now
+  [[nodiscard]] PlaceNews take_place_news(double operating_s) {
+    return memory_.take_place_news(operating_s);
+  }
+  /// After the last step. @param failed whether the mission did
+  void close_places(bool failed) { memory_.close_places(failed); }
+  /// The landmarks that are looked for. Before the first step; without it there are none.
+  void know(FamiliarLandmarks landmarks);
+
   /// One cycle; false when the body has ended or the mission is over.
   bool step();
 
@@ -39,6 +53,9 @@ class CognitiveCycle {
   /// behind guards, and through the same limiter.
   using Pilot = std::function<std::optional<Wish>(TimePoint now)>;
   void set_pilot(Pilot pilot) { pilot_ = std::move(pilot); }
+
+  /// A baseline's disparities instead of Striate's own stereo; `source` must live as long.
+  void see_with(DisparitySource& source) { perception_.take_disparities_from(source); }
 
   [[nodiscard]] const CycleTrace& trace() const { return trace_; }
   [[nodiscard]] const ShortTermMemory& memory() const { return memory_; }
@@ -56,6 +73,7 @@ class CognitiveCycle {
   OdometryHistory odometry_;  ///< a picture belongs to the place where it was taken
   Perception perception_;
   ShortTermMemory memory_;
+  FamiliarLandmarks landmarks_;
   Arbiter arbiter_;
   SafetyLimiter limiter_;
   Pilot pilot_;

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <exception>
 
-#include "app/renderer_pictures.hpp"
+#include "app/baselines/baseline.hpp"
 #include "platform/simulator/world_reader.hpp"
 #include "tasks/task_reader.hpp"
 
@@ -23,7 +23,14 @@ RobotSettings settings_for(const MissionOptions& options) {
   if (!options.emergency_layer) settings.safety.emergency_layer = false;
   // The goal line ends the task, not the body: `finally` is still to be run.
   settings.simulator.judge.ends_at_goal = false;
+  apply_baseline(baseline_named(options.baseline), settings.perception);
   return settings;
+}
+
+simulator::World world_for(const MissionOptions& options) {
+  simulator::World world = simulator::load_world(options.world);
+  if (options.start) world.start = *options.start;
+  return world;
 }
 
 /// How far to drive is for the person to say: `way` leads to the goal line and a little beyond,
@@ -41,20 +48,45 @@ bool goal_is_the_line(const Task& task) {
   return std::find(task.variables.begin(), task.variables.end(), "way") != task.variables.end();
 }
 
+/// Only the baseline `truth` has pictures that know their depth.
+std::unique_ptr<TrueDepthPictures> with_depth(Baseline baseline, RendererPictures& pictures,
+                                              const RobotSettings& settings) {
+  if (baseline != Baseline::truth) return nullptr;
+  return std::make_unique<TrueDepthPictures>(pictures, pictures.renderer(),
+                                             settings.perception.stereo.width);
+}
+
+/// Checks `needs: {landmarks: ...}` against what the memory knows.
+Task task_for(const MissionOptions& options, const simulator::World& world) {
+  std::vector<std::string> names;
+  if (options.knowledge) names = options.knowledge->names();
+  return load_task(options.task, RobotDescription{}, course_of(world),
+                   options.knowledge ? &names : nullptr);
+}
+
 }  // namespace
 
 Mission::Mission(const MissionOptions& options)
     : options_(options),
       settings_(settings_for(options)),
-      world_(simulator::load_world(options.world)),
+      world_(world_for(options)),
       plan_(simulator::build_floor_plan(world_)),
-      executive_(load_task(options.task, RobotDescription{}, course_of(world_),
-                           options.landmarks ? &*options.landmarks : nullptr)),
+      executive_(task_for(options, world_)),
       pictures_(std::make_unique<RendererPictures>(world_, plan_, settings_.camera, options.seed)),
-      body_(std::make_unique<simulator::SimulatedPioneer>(world_, options.seed, settings_.simulator,
-                                                          pictures_.get())),
+      true_pictures_(with_depth(baseline_named(options.baseline), *pictures_, settings_)),
+      disparities_(disparities_of(baseline_named(options.baseline), settings_.perception,
+                                  true_pictures_.get())),
+      body_(std::make_unique<simulator::SimulatedPioneer>(
+          world_, options.seed, settings_.simulator,
+          true_pictures_ ? static_cast<simulator::PictureSource*>(true_pictures_.get())
+                         : pictures_.get())),
       watched_(std::make_unique<StopwatchRobot>(*body_)),
-      cycle_(std::make_unique<CognitiveCycle>(*watched_, settings_, executive_)) {}
+      cycle_(std::make_unique<CognitiveCycle>(*watched_, settings_, executive_)) {
+  if (disparities_) cycle_->see_with(*disparities_);
+  if (!options_.knowledge) return;
+  hand_over(std::move(*options_.knowledge), executive_.task(), settings_.long_term_memory, *cycle_);
+  options_.knowledge.reset();
+}
 
 RunResult Mission::run(const EachCycle& each_cycle) {
   try {
@@ -146,6 +178,7 @@ RunResult Mission::result() const {
   result.seed = options_.seed;
   result.world = options_.world;
   result.task = options_.task;
+  result.baseline = options_.baseline;
   result.emergency_layer = settings_.safety.emergency_layer;
   return result;
 }

@@ -6,9 +6,10 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <vector>
 
+#include "app/baselines/true_depth_pictures.hpp"
 #include "app/cognitive_cycle.hpp"
+#include "app/memory/landmark_knowledge.hpp"
 #include "app/run_result.hpp"
 #include "app/stopwatch_robot.hpp"
 #include "platform/simulator/simulated_pioneer.hpp"
@@ -22,8 +23,11 @@ struct MissionOptions {
   std::string robot;  ///< settings file; empty: the built-in defaults
   std::uint64_t seed = 1;
   bool emergency_layer = true;
-  /// Names that the memory knows, for `needs: {landmarks: ...}`; none: there is no memory.
-  std::optional<std::vector<std::string>> landmarks;
+  std::string baseline;  ///< whose disparities: paper, sgbm, truth; empty: Striate's own
+  /// Along the corridor, left of its middle, heading; none: the world's own start.
+  std::optional<Pose2> start;
+  /// What the long-term memory knows; none: there is no memory.
+  std::optional<MissionKnowledge> knowledge;
 };
 
 /// One run of a task in a simulated world: the body, the mind, and the judge that watches.
@@ -40,6 +44,7 @@ class Mission {
   RunResult run(const EachCycle& each_cycle);
 
   [[nodiscard]] const CognitiveCycle& cycle() const { return *cycle_; }
+  [[nodiscard]] CognitiveCycle& cycle() { return *cycle_; }
   [[nodiscard]] const Executive& executive() const { return executive_; }
   [[nodiscard]] const simulator::SimulatedPioneer& body() const { return *body_; }
   [[nodiscard]] const simulator::World& world() const { return world_; }
@@ -61,7 +66,9 @@ class Mission {
   simulator::World world_;
   simulator::FloorPlan plan_;
   Executive executive_;
-  std::unique_ptr<simulator::PictureSource> pictures_;
+  std::unique_ptr<RendererPictures> pictures_;
+  std::unique_ptr<TrueDepthPictures> true_pictures_;  ///< of the baseline `truth`, else null
+  std::unique_ptr<DisparitySource> disparities_;      ///< of a baseline, else null
   std::unique_ptr<simulator::SimulatedPioneer> body_;
   std::unique_ptr<StopwatchRobot> watched_;
   std::unique_ptr<CognitiveCycle> cycle_;

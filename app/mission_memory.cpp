@@ -2,26 +2,31 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "app/memory/open_memory.hpp"
 #include "config/user_error.hpp"
+#include "memory/long_term/learning.hpp"
+#include "memory/place/place_keeping.hpp"
 
 namespace striate {
 namespace {
 
-constexpr double kNoteTimeEvery_s = 60.0;  ///< what a crash may lose of the operating time
+constexpr double kNoteTimeEvery_s = 60.0;    ///< what a crash may lose of the operating time
+constexpr double kKeepPlacesEvery_s = 30.0;  ///< and of what was learned of places
 
 }  // namespace
 
-MissionMemory::MissionMemory(const std::string& file, const MissionOptions& mission) {
+MissionMemory::MissionMemory(const std::string& file, const std::string& robot,
+                             const std::string& doing) {
   if (file.empty()) return;
+  settings_ = load_robot_settings(robot).long_term_memory;
   const MemoryOptions options = memory_options(Access::session, "striate run");
   writer_ = std::make_unique<MemoryWriter>(file, options);
   print_notices(writer_->notices());
   writer_->commit([&](MemoryTables& tables) {
-    session_ = tables.sessions.begin(
-        SessionKind::mission, software_name(),
-        fmt::format("{} in {}, seed {}", mission.task, mission.world, mission.seed),
-        options.now_unix_s);
+    session_ =
+        tables.sessions.begin(SessionKind::mission, software_name(), doing, options.now_unix_s);
     Episode start;
     start.session = session_.id;
     start.time_s = session_.operating_start_s;
@@ -31,36 +36,69 @@ MissionMemory::MissionMemory(const std::string& file, const MissionOptions& miss
   });
 }
 
-void MissionMemory::take(const Mission& mission) {
+void MissionMemory::take(CognitiveCycle& cycle) {
   if (writer_ == nullptr) return;
-  const auto& collisions = mission.body().judge().collisions();
-  for (; collisions_ < collisions.size(); ++collisions_) {
-    const std::string& hit = collisions[collisions_].hit;
-    note(mission, "collision", hit, "touched " + hit);
-  }
-  const auto& near_misses = mission.body().judge().near_misses();
-  for (; near_misses_ < near_misses.size(); ++near_misses_) {
-    const simulator::NearMiss& near = near_misses[near_misses_];
-    note(mission, "near miss", near.to, fmt::format("{:.2f} m from {}", near.clearance_m, near.to));
-  }
-  if (const int stops = mission.cycle().limiter().emergency_stops(); stops > emergency_stops_) {
+  now_ = cycle.trace().senses.now;
+  pose_ = cycle.trace().senses.odometry.pose;
+  take_places(cycle);
+  keep_lessons(cycle.trace());
+  if (const int stops = cycle.limiter().emergency_stops(); stops > emergency_stops_) {
     emergency_stops_ = stops;
-    const std::string reason = name_of(mission.cycle().limiter().reason());
-    note(mission, "emergency stop", reason, reason);
+    const std::string reason = name_of(cycle.limiter().reason());
+    note("emergency stop", reason, reason);
   }
-  const double now_s = to_seconds(mission.cycle().trace().senses.now);
-  if (now_s - noted_s_ < kNoteTimeEvery_s) return;
-  noted_s_ = now_s;
-  writer_->post(
-      [id = session_.id, now_s](MemoryTables& tables) { tables.sessions.note_time(id, now_s); });
+  if (to_seconds(now_) - noted_s_ < kNoteTimeEvery_s) return;
+  noted_s_ = to_seconds(now_);
+  writer_->post([id = session_.id, now_s = noted_s_](MemoryTables& tables) {
+    tables.sessions.note_time(id, now_s);
+  });
 }
 
-void MissionMemory::finish(const Mission& mission, const RunResult& result) {
+void MissionMemory::take(const simulator::Judge& judge) {
   if (writer_ == nullptr) return;
+  for (; collisions_ < judge.collisions().size(); ++collisions_) {
+    const std::string& hit = judge.collisions()[collisions_].hit;
+    note("collision", hit, "touched " + hit);
+  }
+  for (; near_misses_ < judge.near_misses().size(); ++near_misses_) {
+    const simulator::NearMiss& near = judge.near_misses()[near_misses_];
+    note("near miss", near.to, fmt::format("{:.2f} m from {}", near.clearance_m, near.to));
+  }
+}
+
+void MissionMemory::keep_lessons(const CycleTrace& trace) {
+  for (const LandmarkLesson& lesson : trace.lessons) {
+    const bool seen = lesson.kind == LandmarkLesson::Kind::recognised;
+    Episode episode = episode_now(seen ? "recognised" : "missed", "");
+    episode.landmark = lesson.name;
+    episode.text = !seen ? "not seen where it was expected"
+                   : std::isfinite(lesson.distance_m)
+                       ? fmt::format("{:.1f} m away, {:+.0f} deg", lesson.distance_m,
+                                     degrees(lesson.bearing_rad))
+                       : fmt::format("at {:+.0f} deg", degrees(lesson.bearing_rad));
+    writer_->post([episode, seen, settings = settings_](MemoryTables& tables) {
+      if (seen) {
+        keep_sighting(tables, episode.landmark, episode.time_s, settings);
+      } else {
+        keep_miss(tables, episode.landmark, settings);
+      }
+      tables.sessions.add(episode);
+    });
+  }
+}
+
+void MissionMemory::finish(CognitiveCycle& cycle, const RunResult& result) {
+  if (writer_ == nullptr) return;
+  cycle.close_places(result.outcome != "success" && result.outcome != "interrupted");
   try {
     writer_->commit([&](MemoryTables& tables) {
+      const double end_s = session_.operating_start_s + result.duration_s;
+      for (PlaceNews news = cycle.take_place_news(end_s); !news.empty();
+           news = cycle.take_place_news(end_s)) {
+        keep_places(tables, news);
+      }
       const std::string text = result.outcome + (result.reason.empty() ? "" : ": " + result.reason);
-      tables.sessions.add(episode_now(mission, "end", text));
+      tables.sessions.add(episode_now("end", text));
       tables.sessions.end(session_.id, result.duration_s, text);
     });
   } catch (const UserError& error) {
@@ -72,23 +110,30 @@ void MissionMemory::finish(const Mission& mission, const RunResult& result) {
   writer_.reset();
 }
 
-Episode MissionMemory::episode_now(const Mission& mission, const std::string& kind,
-                                   const std::string& text) const {
-  const Senses& senses = mission.cycle().trace().senses;
+void MissionMemory::take_places(CognitiveCycle& cycle) {
+  const double now_s = to_seconds(now_);
+  if (now_s - places_kept_s_ < kKeepPlacesEvery_s) return;
+  places_kept_s_ = now_s;
+  PlaceNews news = cycle.take_place_news(session_.operating_start_s + now_s);
+  if (news.empty()) return;
+  writer_->post([news = std::move(news)](MemoryTables& tables) { keep_places(tables, news); });
+}
+
+Episode MissionMemory::episode_now(const std::string& kind, const std::string& text) const {
   Episode episode;
   episode.session = session_.id;
-  episode.time_s = session_.operating_start_s + to_seconds(senses.now);
+  episode.time_s = session_.operating_start_s + to_seconds(now_);
   episode.kind = kind;
-  episode.x_m = senses.odometry.pose.x_m;
-  episode.y_m = senses.odometry.pose.y_m;
-  episode.heading_rad = senses.odometry.pose.heading_rad;
+  episode.x_m = pose_.x_m;
+  episode.y_m = pose_.y_m;
+  episode.heading_rad = pose_.heading_rad;
   episode.text = text;
   return episode;
 }
 
-void MissionMemory::note(const Mission& mission, const std::string& kind, const std::string& about,
+void MissionMemory::note(const std::string& kind, const std::string& about,
                          const std::string& text) {
-  const Episode episode = episode_now(mission, kind, text);
+  const Episode episode = episode_now(kind, text);
   const Point2 where{episode.x_m.value_or(0.0), episode.y_m.value_or(0.0)};
   if (!gate_.is_news(kind + " " + about, episode.time_s, where)) return;
   writer_->post([episode](MemoryTables& tables) { tables.sessions.add(episode); });

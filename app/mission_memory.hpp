@@ -3,9 +3,11 @@
 #include <memory>
 #include <string>
 
-#include "app/mission.hpp"
+#include "app/cognitive_cycle.hpp"
+#include "app/run_result.hpp"
 #include "memory/long_term/episode_gate.hpp"
 #include "memory/long_term/memory_writer.hpp"
+#include "platform/simulator/judge.hpp"
 
 namespace striate {
 
@@ -13,25 +15,34 @@ namespace striate {
 /// outside: nothing of it reaches the driving, and the writer's thread alone touches the disk.
 class MissionMemory {
  public:
-  /// @param file "" for none. @throws UserError where it cannot be opened; nothing has moved yet.
-  MissionMemory(const std::string& file, const MissionOptions& mission);
+  /// @param file "" for none. @param robot its settings file, "" for none. @param doing for the
+  /// session: task, world or robot. @throws UserError where it cannot be opened; nothing has moved.
+  MissionMemory(const std::string& file, const std::string& robot, const std::string& doing);
 
   /// Called each cycle.
-  void take(const Mission& mission);
+  void take(CognitiveCycle& cycle);
+  /// After it, in a simulated world: what only a judge beside the robot knows.
+  void take(const simulator::Judge& judge);
   /// Closes the session. What could not be kept is said on standard error: the mission is over.
-  void finish(const Mission& mission, const RunResult& result);
+  void finish(CognitiveCycle& cycle, const RunResult& result);
 
  private:
+  /// What is new about places goes to the writer, now and then.
+  void take_places(CognitiveCycle& cycle);
+  /// What looks have taught: landmarks grow stronger or weaker.
+  void keep_lessons(const CycleTrace& trace);
   /// Keeps an episode if it is news. @param about what it is about: the same again is none.
-  void note(const Mission& mission, const std::string& kind, const std::string& about,
-            const std::string& text);
-  [[nodiscard]] Episode episode_now(const Mission& mission, const std::string& kind,
-                                    const std::string& text) const;
+  void note(const std::string& kind, const std::string& about, const std::string& text);
+  [[nodiscard]] Episode episode_now(const std::string& kind, const std::string& text) const;
 
   std::unique_ptr<MemoryWriter> writer_;
   Session session_;
+  LongTermSettings settings_;
   EpisodeGate gate_;
+  TimePoint now_{};  ///< of the newest cycle, and where the robot was
+  Pose2 pose_;
   double noted_s_ = 0.0;
+  double places_kept_s_ = 0.0;
   std::size_t collisions_ = 0;
   std::size_t near_misses_ = 0;
   int emergency_stops_ = 0;

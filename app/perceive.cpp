@@ -145,6 +145,7 @@ Judged judge(const PerceiveOptions& o, const StereoFrame& frame) {
   constexpr double kTrustedPromise =
       0.66;  // about what a score of 0.3, the driving robot's, has kept
   PerceptionSettings settings;
+  settings.keypoints_every = 1;
   settings.stereo = StereoSettings{};
   settings.obstacles.trusted = kTrustedPromise;
   settings.stereo.setting = o.setting == "paper" ? StereoSetting::paper : StereoSetting::robust;

@@ -19,6 +19,7 @@ class RendererPictures final : public simulator::PictureSource {
   [[nodiscard]] double light_level(Point2 place) const override {
     return renderer_.light_level(place);
   }
+  [[nodiscard]] simulator::Renderer& renderer() { return renderer_; }
 
  private:
   simulator::Renderer renderer_;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
+#include <utility>
+#include <vector>
 
 #include "config/user_error.hpp"
 #include "platform/pioneer/pioneer_robot.hpp"
@@ -28,6 +30,14 @@ Task standing_task() {
   return task;
 }
 
+Task task_for(const RobotMissionOptions& options) {
+  if (options.task.empty()) return standing_task();
+  std::vector<std::string> names;
+  if (options.knowledge) names = options.knowledge->names();
+  return load_task(options.task, RobotDescription{}, options.given,
+                   options.knowledge ? &names : nullptr);
+}
+
 }  // namespace
 
 RealBody connect_pioneer(const RobotSettings& settings) {
@@ -49,13 +59,16 @@ RealBody connect_pioneer(const RobotSettings& settings) {
 RobotMission::RobotMission(const RobotMissionOptions& options)
     : options_(options),
       settings_(settings_for(options)),
-      executive_(options.task.empty() ? standing_task()
-                                      : load_task(options.task, RobotDescription{}, options.given)),
+      executive_(task_for(options)),
       body_(options.body(settings_)),
       watched_(std::make_unique<StopwatchRobot>(*body_.robot)),
       cycle_(std::make_unique<CognitiveCycle>(*watched_, settings_, executive_)),
       began_(body_.robot->clock().now()),
-      stands_since_(began_) {}
+      stands_since_(began_) {
+  if (!options_.knowledge) return;
+  hand_over(std::move(*options_.knowledge), executive_.task(), settings_.long_term_memory, *cycle_);
+  options_.knowledge.reset();
+}
 
 RunResult RobotMission::run(const EachCycle& each_cycle) {
   try {

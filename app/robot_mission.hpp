@@ -2,9 +2,11 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "app/cognitive_cycle.hpp"
+#include "app/memory/landmark_knowledge.hpp"
 #include "app/run_result.hpp"
 #include "app/stopwatch_robot.hpp"
 #include "tasks/task_reader.hpp"
@@ -26,6 +28,8 @@ struct RobotMissionOptions {
   std::string task;   ///< empty: to stand, for whoever else drives
   std::string robot;  ///< settings file that says where the devices are
   GivenVariables given;
+  /// What the long-term memory knows; none: there is no memory.
+  std::optional<MissionKnowledge> knowledge;
   bool emergency_layer = true;
   std::function<RealBody(const RobotSettings&)> body = connect_pioneer;
 };
@@ -48,6 +52,7 @@ class RobotMission {
   [[nodiscard]] const Robot& body() const { return *body_.robot; }
   [[nodiscard]] const RobotSettings& settings() const { return settings_; }
   void set_pilot(CognitiveCycle::Pilot pilot) { cycle_->set_pilot(std::move(pilot)); }
+  [[nodiscard]] CognitiveCycle& cycle() { return *cycle_; }
   [[nodiscard]] const Executive& executive() const { return executive_; }
   /// Why the body's own gate holds the robot, or slows it; "": it does not.
   [[nodiscard]] std::string hold() const { return body_.hold ? body_.hold() : std::string(); }

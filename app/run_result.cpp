@@ -48,6 +48,7 @@ nlohmann::ordered_json to_json(const RunResult& result) {
   json["world"] = result.world;
   json["task"] = result.task;
   json["emergency_layer"] = result.emergency_layer;
+  if (!result.baseline.empty()) json["baseline"] = result.baseline;
   return json;
 }
 
@@ -73,6 +74,7 @@ RunResult run_result_from_json(const nlohmann::json& json) {
     json.at("world").get_to(result.world);
     json.at("task").get_to(result.task);
     json.at("emergency_layer").get_to(result.emergency_layer);
+    result.baseline = json.value("baseline", std::string());
   } catch (const nlohmann::json::exception& error) {
     throw std::runtime_error(fmt::format("not the result of a run: {}", error.what()));
   }

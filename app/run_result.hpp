@@ -37,6 +37,8 @@ struct RunResult {
   std::string world;
   std::string task;
   bool emergency_layer = true;
+  /// Whose disparities it drove by: paper, sgbm, truth; empty: Striate's own.
+  std::string baseline;
 };
 
 [[nodiscard]] nlohmann::ordered_json to_json(const RunResult& result);

@@ -40,6 +40,16 @@ double Footprint::distance_m(Point2 p) const {
   return std::max(dx, dy);
 }
 
+double Footprint::farthest_left_m(const Pose2& pose) const {
+  double most_m = -FloorField::kFar_m;
+  for (const Point2& corner : outline_) most_m = std::max(most_m, to_outer(pose, corner).y_m);
+  return most_m;
+}
+
+double Footprint::farthest_right_m(const Pose2& pose) const {
+  return farthest_left_m({pose.x_m, -pose.y_m, -pose.heading_rad});
+}
+
 Pose2 along_arc(const Pose2& from, double forward_m_s, double turn_rad_s, double time_s) {
   const double turned = turn_rad_s * time_s;
   const double way_m = forward_m_s * time_s;

@@ -21,6 +21,11 @@ class Footprint {
   /// Signed distance of a point in the robot frame from the outline; inside is negative.
   [[nodiscard]] double distance_m(Point2 robot_frame) const;
 
+  /// How far the outline at `pose` reaches to the left, and to the right, of the x axis of the
+  /// frame that `pose` is in.
+  [[nodiscard]] double farthest_left_m(const Pose2& pose) const;
+  [[nodiscard]] double farthest_right_m(const Pose2& pose) const;
+
   [[nodiscard]] double front_m() const { return front_m_; }
   [[nodiscard]] double rear_m() const { return rear_m_; }
   [[nodiscard]] double half_width_m() const { return half_width_m_; }

@@ -10,10 +10,13 @@ namespace striate {
 namespace {
 
 constexpr double kStep_m = 0.1;
+constexpr double kFineStep_m = 0.05;
+constexpr double kHole_m = 0.15;  // a column or two without a match
 constexpr double kLook_m = 3.0;
 constexpr double kNear_m = 2.0;
 constexpr double kUnknownRun_m = 0.35;  // so much unknown in a row ends what is known free
 constexpr float kMoves = 0.36F;
+constexpr double kCreep_m_s = 0.10;
 constexpr double kEdgeTrust_m = 0.10;
 
 bool seen_free(const FloorField& field, Point2 middle, double ux, double uy) {
@@ -43,6 +46,22 @@ void measure_known(const FloorField& field, const Way& way, double front_m, Pace
     if (open) pace.known_free_m = s - unknown_run_m;
   }
   pace.unknown_near_share = near_unknown / kNear_m;
+}
+
+/// How far straight on from the front end the floor is seen free, all across the robot: where it
+/// goes if the turn does not come in time.
+double free_straight_on_m(const FloorField& field, const Pose2& pose,
+                          const RobotDescription& robot) {
+  double least_m = kLook_m;
+  for (const double aside_m : {-robot.half_width_m, 0.0, robot.half_width_m}) {
+    double unknown_run_m = 0.0;
+    for (double s = kFineStep_m; s < least_m; s += kFineStep_m) {
+      const Point2 place = to_outer(pose, Point2{robot.front_m + s, aside_m});
+      unknown_run_m = field.state(place) == FloorState::free ? 0.0 : unknown_run_m + kFineStep_m;
+      if (unknown_run_m > kHole_m) least_m = s - unknown_run_m;
+    }
+  }
+  return std::max(0.0, least_m);
 }
 
 void cap(Pace& pace, double speed_m_s, const char* reason) {
@@ -109,13 +128,18 @@ Pace pace_for(const PaceSettings& settings, const RobotDescription& robot,
                                       0.8 * robot.max_acceleration_m_s2, settings.latency_s);
   cap(pace, std::max(known, settings.unknown_m_s), "the floor ahead is not seen free");
 
+  const double straight = stopping_speed(free_straight_on_m(field, memory.pose(), robot),
+                                         0.8 * robot.max_acceleration_m_s2, settings.latency_s);
+  cap(pace, std::max(straight, settings.unknown_m_s), "it is not free straight on");
+
   const Margins margins = margins_of_next(field, way, robot.half_width_m);
-  const auto roomy = [&settings, &robot](double margin_m, double least_m_s) {
-    const double share = std::clamp((margin_m - 0.08) / (settings.roomy_m - 0.08), 0.0, 1.0);
+  const auto roomy = [&robot](double margin_m, double roomy_m, double least_m_s) {
+    const double share = std::clamp((margin_m - 0.08) / (roomy_m - 0.08), 0.0, 1.0);
     return least_m_s + share * (robot.max_forward_m_s - least_m_s);
   };
-  cap(pace, roomy(margins.things_m, settings.narrow_m_s), "it is narrow");
-  cap(pace, roomy(margins.edges_m, settings.unknown_m_s), "little is known beside the way");
+  cap(pace, roomy(margins.things_m, settings.roomy_m, settings.narrow_m_s), "it is narrow");
+  cap(pace, roomy(margins.edges_m, settings.seen_beside_m, settings.unknown_m_s),
+      "little is known beside the way");
 
   const Mover mover = nearest_mover(memory, 0.7);
   pace.mover_m = mover.distance_m;
@@ -123,8 +147,10 @@ Pace pace_for(const PaceSettings& settings, const RobotDescription& robot,
   const double apart = (mover.distance_m - settings.moving_stop_m) /
                        (settings.moving_slow_m - settings.moving_stop_m);
   if (apart < 1.0) {
-    cap(pace, std::max(0.0, apart) * robot.max_forward_m_s * 0.6, "something moves ahead");
     pace.waits_for_mover = apart <= 0.0;
+    // Between standing and the first speed that gets anywhere there is nothing.
+    const double slowed_m_s = std::max(kCreep_m_s, apart * robot.max_forward_m_s * 0.6);
+    cap(pace, pace.waits_for_mover ? 0.0 : slowed_m_s, "something moves ahead");
   }
   return pace;
 }

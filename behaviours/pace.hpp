@@ -10,9 +10,10 @@ namespace striate {
 
 /// How fast is fast enough to be safe. Ours.
 struct PaceSettings {
-  double unknown_m_s = 0.20;
+  double unknown_m_s = 0.25;
   double narrow_m_s = 0.15;
   double roomy_m = 0.35;
+  double seen_beside_m = 0.25;
   double latency_s = 0.35;
   double dark_below = 0.12;
   double noisy_above = 6.0;
@@ -27,6 +28,8 @@ void visit(V& v, PaceSettings& s) {
   v.number("unknown", s.unknown_m_s, Unit::speed, {0.05, 0.5}, "speed over floor not seen free");
   v.number("narrow", s.narrow_m_s, Unit::speed, {0.05, 0.5}, "speed in the narrowest gaps");
   v.number("roomy", s.roomy_m, Unit::length, {0.1, 1}, "room beside the flanks for full speed");
+  v.number("seen_beside", s.seen_beside_m, Unit::length, {0.1, 1},
+           "seen floor beside the flanks for full speed");
   v.number("latency", s.latency_s, Unit::duration, {0, 2}, "from light to braking");
   v.number("dark_below", s.dark_below, Unit::fraction, {0, 1}, "light level that counts as dark");
   v.number("noisy_above", s.noisy_above, Unit::none, {0, 50},

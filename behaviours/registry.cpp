@@ -7,6 +7,7 @@
 #include "behaviours/look_at.hpp"
 #include "behaviours/say.hpp"
 #include "behaviours/stop.hpp"
+#include "behaviours/teach.hpp"
 #include "behaviours/traverse_corridor.hpp"
 #include "behaviours/turn_to.hpp"
 #include "behaviours/wait.hpp"
@@ -23,6 +24,7 @@ const std::vector<BehaviourEntry>& behaviour_registry() {
                               "turns the head to a direction, or to what is most salient"),
       behaviour_entry<Say>("say", "shows a text to people"),
       behaviour_entry<Stop>("stop", "stands still"),
+      behaviour_entry<Teach>("teach", "looks at what stands out ahead from several places"),
       behaviour_entry<TraverseCorridor>("traverse_corridor",
                                         "drives along the corridor, round what stands in it"),
       behaviour_entry<TurnTo>("turn_to", "turns on the spot"),

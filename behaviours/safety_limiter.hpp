@@ -13,8 +13,8 @@ namespace striate {
 /// Ours.
 struct SafetyLimiterSettings {
   bool emergency_layer = true;
-  double stop_m = 0.04;
-  double emergency_stop_m = 0.10;
+  double stop_m = 0.06;
+  double emergency_stop_m = 0.04;
   double slow_m = 0.60;
   double slow_m_s = 0.30;
   double latency_s = 0.15;

@@ -15,11 +15,21 @@ constexpr double kRollOut_s = 1.4;
 constexpr double kRollStep_s = 0.1;
 constexpr double kEdgeLook_s = 1.0;
 constexpr double kSqueezed_m = 0.10;
+constexpr double kRoomBefore_m = 0.15;
+constexpr double kWallRoom_m = 0.12;    // the place of a remembered wall errs by about this
+constexpr double kAlongWall_m = 0.003;  // a step that comes nearer by less leads along
 constexpr std::array<double, 11> kTurnOffsets{0.0,  0.08, -0.08, 0.18, -0.18, 0.3,
                                               -0.3, 0.5,  -0.5,  0.8,  -0.8};
 constexpr std::array<double, 3> kSpeedShares{1.0, 0.6, 0.3};
 
 }  // namespace
+
+// What stands near is measured a hand's breadth too far: the camera looks over the feet and sees
+// the trunk. Beside the robot the room was measured from farther off, before it came alongside.
+RobotDescription Steering::with_room_before(RobotDescription robot) {
+  robot.front_m += kRoomBefore_m;
+  return robot;
+}
 
 Point2 Steering::point_at(const Way& way, double length_m) {
   double left_m = length_m;
@@ -52,6 +62,23 @@ double Steering::roll_out(const FloorField& field, const Pose2& robot, const Can
     least_m = std::min(least_m, clear_m);
   }
   return least_m;
+}
+
+// Room beside both walls must not fall below kWallRoom_m; what is nearer already may be left.
+bool Steering::keeps_off_walls(const Pose2& robot, const Candidate& candidate,
+                               const Limits& limits) const {
+  const Pose2 along{robot.x_m, robot.y_m, limits.direction_rad};
+  const auto room_m = [&](const Pose2& pose) {
+    return std::min(limits.left_wall_m - footprint_.farthest_left_m(to_inner(along, pose)),
+                    limits.right_wall_m - footprint_.farthest_right_m(to_inner(along, pose)));
+  };
+  double last_m = room_m(robot);
+  for (double t = kRollStep_s; t <= kRollOut_s + 1e-9; t += kRollStep_s) {
+    const double now_m = room_m(along_arc(robot, candidate.forward_m_s, candidate.turn_rad_s, t));
+    if (now_m < kWallRoom_m && now_m < last_m - kAlongWall_m) return false;
+    last_m = now_m;
+  }
+  return true;
 }
 
 Drive Steering::turn_in_place(double angle_rad, const FloorField& field, const Pose2& robot,
@@ -89,6 +116,7 @@ Drive Steering::follow(const Way& way, const FloorField& field, const Pose2& rob
       const Candidate candidate{forward, wanted + offset};
       const double clear_m = roll_out(field, robot, candidate, least_clearance_m);
       if (clear_m < 0.0) continue;
+      if (!limits.daring && !keeps_off_walls(robot, candidate, limits)) continue;
       const double crowding = std::max(0.0, 1.0 - clear_m / wanted_clearance_m_);
       const Pose2 end = along_arc(robot, forward, candidate.turn_rad_s, kEdgeLook_s);
       const double edge_m = footprint_.seen_clearance_m(field, end);

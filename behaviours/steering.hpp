@@ -18,15 +18,21 @@ struct Drive {
 class Steering {
  public:
   Steering(const RobotDescription& robot, double wanted_clearance_m)
-      : robot_(robot), footprint_(robot), wanted_clearance_m_(wanted_clearance_m) {}
+      : robot_(robot),
+        footprint_(with_room_before(robot)),
+        wanted_clearance_m_(wanted_clearance_m) {}
 
   /// `speed_m_s`: as fast as anything else allows. `least_clearance_m`: nearer than this only
   /// where the robot already is so near, and only on arcs that lead away.
-  /// Unless `daring` no arc squeezes between a thing and the edge of what is seen.
+  /// Unless `daring` no arc squeezes between a thing and the edge of what is seen, and none leads
+  /// up to a remembered wall: a blank wall leaves no trace in the map, or a wrong one.
   struct Limits {
     double speed_m_s = 0.0;
     double least_clearance_m = 0.0;
     bool daring = false;
+    double direction_rad = 0.0;       ///< of the walls, odometry frame
+    double left_wall_m = kNothing_m;  ///< from the axle
+    double right_wall_m = kNothing_m;
   };
   [[nodiscard]] Drive follow(const Way& way, const FloorField& field, const Pose2& robot,
                              const Limits& limits) const;
@@ -40,8 +46,11 @@ class Steering {
     double forward_m_s;
     double turn_rad_s;
   };
+  [[nodiscard]] static RobotDescription with_room_before(RobotDescription robot);
   [[nodiscard]] double roll_out(const FloorField& field, const Pose2& robot,
                                 const Candidate& candidate, double least_clearance_m) const;
+  [[nodiscard]] bool keeps_off_walls(const Pose2& robot, const Candidate& candidate,
+                                     const Limits& limits) const;
   [[nodiscard]] Drive turn_in_place(double angle_rad, const FloorField& field, const Pose2& robot,
                                     double least_clearance_m) const;
 

@@ -14,9 +14,14 @@ constexpr double kGlanceDown_rad = -0.42;
 constexpr double kLookSweep_s = 4.0;
 constexpr double kSweep_rad = 0.9;
 constexpr double kHeadTurn_rad = 0.6;
-constexpr double kHeadDriving_rad = 0.25;  // where the robot goes stays in the 43 degree view
-constexpr double kMoverPatience_s = 6.0;
+// Both flanks of the robot's lane, a metre on, stay in the 43 degree view: 0.375 - atan(0.21 m / 1
+// m).
+constexpr double kHeadDriving_rad = 0.16;
+constexpr double kMoverPatience_s = 5.0;
+constexpr double kStillPatience_s = 1.0;
+constexpr double kWaitLane_m = 1.2;
 constexpr double kImpossible_s = 0.6;
+constexpr double kStart_m = 0.5;
 constexpr double kForgivenAfter_m = 1.0;  // headway that makes old troubles forgotten
 constexpr double kUnstuck_m = 0.25;
 constexpr int kTightAfter = 2;  // troubles
@@ -91,7 +96,8 @@ Wish WayFollower::tick(const ShortTermMemory& memory, const Course& course) {
   request.right_wall_m = course.right_wall_m;
   request.middle_left_m = course.middle_left_m;
   request.half_corridor_m = course.half_corridor_m;
-  request.corridor_sure = course.corridor_sure;
+  // In trouble the corridor may be another than remembered: what was closed is only dear.
+  request.corridor_sure = course.corridor_sure && troubles_ == 0;
   planner_.plan(field_, memory.pose(), request);
   if (troubles_ >= settings_.tries) {
     return final_wish(memory, Progress::failed,
@@ -99,7 +105,7 @@ Wish WayFollower::tick(const ShortTermMemory& memory, const Course& course) {
   }
   switch (state_) {
     case State::waiting:
-      return wait(memory);
+      return wait(memory, course);
     case State::looking:
       return look(memory);
     case State::backing:
@@ -119,7 +125,7 @@ Wish WayFollower::drive(const ShortTermMemory& memory, const Course& course) {
   }
   if (!way_is_open()) {
     enter(State::waiting, memory);
-    return wait(memory);
+    return wait(memory, course);
   }
   Pace pace = pace_for(settings_.pace, robot_, memory, field_, planner_.way());
   if (!pace.waits_for_mover) mover_since_ = memory.now();
@@ -138,8 +144,7 @@ Wish WayFollower::drive(const ShortTermMemory& memory, const Course& course) {
     wish.why = text("waits: {}", pace.reason);
     return wish;
   }
-  const Drive drive = steering_.follow(planner_.way(), field_, memory.pose(),
-                                       {speed, 0.6 * least_margin_m(), troubles_ >= kTightAfter});
+  const Drive drive = steer(memory, course, speed);
   if (!drive.possible) {
     wish.why = "no arc keeps clear";
     if (to_seconds(memory.now() - impossible_since_) > kImpossible_s) {
@@ -157,26 +162,36 @@ Wish WayFollower::drive(const ShortTermMemory& memory, const Course& course) {
   return wish;
 }
 
+Drive WayFollower::steer(const ShortTermMemory& memory, const Course& course,
+                         double speed_m_s) const {
+  return steering_.follow(planner_.way(), field_, memory.pose(),
+                          {speed_m_s, 0.6 * least_margin_m(), troubles_ >= kTightAfter,
+                           course.direction_rad, course.left_wall_m, course.right_wall_m});
+}
+
 void WayFollower::aim_head(const ShortTermMemory& memory, const Pace& pace, Wish& wish) {
   const Point2 ahead = to_inner(memory.pose(), Steering::point_at(planner_.way(), 1.8));
   const double most_rad = wish.forward_m_s > 0.1 ? kHeadDriving_rad : kHeadTurn_rad;
   wish.pan_rad = std::clamp(std::atan2(ahead.y_m, std::max(0.3, ahead.x_m)), -most_rad, most_rad);
   if (std::isfinite(pace.mover_m)) wish.pan_rad = std::clamp(pace.mover_rad, -most_rad, most_rad);
   if (pace.unknown_near_share > 0.3) look_down_until_ = memory.now() + from_seconds(0.6);
-  wish.tilt_rad = memory.now() < look_down_until_ ? kGlanceDown_rad : kRestingTilt_rad;
+  const bool starts = headway_m_ < kStart_m;  // the floor before the wheels was never in view
+  wish.tilt_rad = memory.now() >= look_down_until_ ? kRestingTilt_rad
+                  : starts                         ? kLookDown_rad
+                                                   : kGlanceDown_rad;
 }
 
-Wish WayFollower::wait(const ShortTermMemory& memory) {
+Wish WayFollower::wait(const ShortTermMemory& memory, const Course& course) {
   const double since_s = since_entered_s(memory);
   // A way that opens for a moment is noise: it has to stay open.
   if (way_is_open() && since_s > 0.5) {
     impossible_since_ = memory.now() + from_seconds(0.5);
-    const Drive drive = steering_.follow(
-        planner_.way(), field_, memory.pose(),
-        {settings_.pace.narrow_m_s, 0.6 * least_margin_m(), troubles_ >= kTightAfter});
+    const Drive drive = steer(memory, course, settings_.pace.narrow_m_s);
     if (drive.possible) enter(State::driving, memory);
   }
-  if (since_s > settings_.patience_s) {
+  // Only what moves is worth waiting for.
+  const bool something_moves = std::isfinite(nearest_mover(memory, kWaitLane_m).distance_m);
+  if (since_s > (something_moves ? settings_.patience_s : kStillPatience_s)) {
     enter(State::looking, memory);
   }
   Wish wish = standing_wish(memory, text("waits: the way is blocked, {:.0f} s", since_s));

@@ -66,7 +66,9 @@ class WayFollower {
   enum class State : std::uint8_t { driving, waiting, looking, backing };
   void measure_headway(const ShortTermMemory& memory, const Course& course);
   Wish drive(const ShortTermMemory& memory, const Course& course);
-  Wish wait(const ShortTermMemory& memory);
+  Wish wait(const ShortTermMemory& memory, const Course& course);
+  [[nodiscard]] Drive steer(const ShortTermMemory& memory, const Course& course,
+                            double speed_m_s) const;
   Wish look(const ShortTermMemory& memory);
   Wish back(const ShortTermMemory& memory);
   void enter(State state, const ShortTermMemory& memory);

@@ -1,13 +1,16 @@
 #!/usr/bin/env bash
-# Installs the Debian packages of packages.txt that are missing; asks for nothing where none is.
+# Installs the Debian packages of packages.txt that are missing, and with --ros those of
+# packages_ros.txt; asks for nothing where none is.
 set -euo pipefail
-list="$(dirname "${BASH_SOURCE[0]}")/packages.txt"
+folder="$(dirname "${BASH_SOURCE[0]}")"
+lists=("$folder/packages.txt")
+[ "${1:-}" = --ros ] && lists+=("$folder/packages_ros.txt")
 
 missing=()
 while read -r package; do
   case "$package" in ''|'#'*) continue ;; esac
   dpkg-query -W -f='${Status}' "$package" 2>/dev/null | grep -q '^install ok installed$' || missing+=("$package")
-done < "$list"
+done < <(cat "${lists[@]}")
 [ ${#missing[@]} -eq 0 ] && exit 0
 
 echo "Installing ${#missing[@]} Debian packages: ${missing[*]}"

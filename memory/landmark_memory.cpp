@@ -65,6 +65,19 @@ const LandmarkInMind* LandmarkMemory::find(std::string_view name) const {
   return nullptr;
 }
 
+const LandmarkInMind* LandmarkMemory::find(std::int64_t landmark) const {
+  for (const LandmarkInMind& entry : landmarks_) {
+    if (landmark != 0 && entry.landmark == landmark) return &entry;
+  }
+  return nullptr;
+}
+
+bool LandmarkMemory::confirmed_by(std::int64_t landmark, TimePoint stamp) const {
+  const LandmarkInMind* entry = find(landmark);
+  return entry != nullptr && entry->confirmed && entry->last_seen == stamp &&
+         entry->in_a_row >= settings_.confirming_looks;
+}
+
 bool LandmarkMemory::in_sight(std::string_view name, TimePoint now, Duration window) const {
   const LandmarkInMind* entry = find(name);
   return entry != nullptr && entry->confirmed && now - entry->last_seen <= window;

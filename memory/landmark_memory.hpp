@@ -74,6 +74,9 @@ class LandmarkMemory {
 
   /// nullptr where it is not in mind.
   [[nodiscard]] const LandmarkInMind* find(std::string_view name) const;
+  [[nodiscard]] const LandmarkInMind* find(std::int64_t landmark) const;
+  /// Recognised in the picture of `stamp`, and that look ends a row which is long enough.
+  [[nodiscard]] bool confirmed_by(std::int64_t landmark, TimePoint stamp) const;
   /// Confirmed, and recognised within `window` before `now`.
   [[nodiscard]] bool in_sight(std::string_view name, TimePoint now, Duration window) const;
   [[nodiscard]] const Landmarks& all() const { return landmarks_; }

@@ -30,9 +30,13 @@ bool LocalGrid::holds(GridCell cell) const {
          cell.y < first_.y + kSide;
 }
 
-void LocalGrid::centre_on(Point2 odometry) {
+GridCell LocalGrid::first_around(Point2 odometry) {
   const GridCell middle = cell_of(odometry);
-  const GridCell wanted{middle.x - kSide / 2, middle.y - kSide / 2};
+  return {middle.x - kSide / 2, middle.y - kSide / 2};
+}
+
+void LocalGrid::centre_on(Point2 odometry) {
+  const GridCell wanted = first_around(odometry);
   if (std::abs(wanted.x - first_.x) >= kSide || std::abs(wanted.y - first_.y) >= kSide) {
     forget();
     first_ = wanted;

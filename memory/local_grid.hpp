@@ -42,6 +42,8 @@ class LocalGrid {
   [[nodiscard]] static GridCell cell_of(Point2 odometry);
   [[nodiscard]] static Point2 centre_of(GridCell cell);
   [[nodiscard]] bool holds(GridCell cell) const;
+  /// The corner that the window has when it is centred there.
+  [[nodiscard]] static GridCell first_around(Point2 odometry);
   [[nodiscard]] GridCell first() const { return first_; }  ///< the corner with least x and y
 
   [[nodiscard]] float log_odds(GridCell cell) const;       ///< 0 outside the window

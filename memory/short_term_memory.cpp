@@ -20,7 +20,8 @@ ShortTermMemory::ShortTermMemory(const ShortTermMemorySettings& settings,
       robot_(robot),
       evidence_(settings.evidence, robot.camera_height_m),
       salient_(settings.salient),
-      landmarks_(settings.landmarks) {
+      landmarks_(settings.landmarks),
+      place_(settings.place) {
   regions_now_.reserve(kMostRegions);
 }
 
@@ -50,6 +51,8 @@ void ShortTermMemory::feel(const Senses& senses) {
   const Pose2 before = pose_;
   pose_ = senses.odometry.pose;
   history_.add(senses.odometry.stamp, pose_);
+  place_.keep_leaving(grid_, {pose_.x_m, pose_.y_m});
+  place_.move(pose_);
   grid_.centre_on({pose_.x_m, pose_.y_m});
   if (corridor_.started()) {
     corridor_.move(before, pose_);
@@ -59,6 +62,7 @@ void ShortTermMemory::feel(const Senses& senses) {
   } else {
     corridor_.start(pose_);
   }
+  place_.recall_into(landmarks_);
   forward_m_s_ = senses.odometry.forward_m_s;
   turn_rad_s_ = senses.odometry.turn_rad_s;
   head_ = senses.head;
@@ -142,7 +146,17 @@ double ShortTermMemory::picture_age_s() const {
 
 void ShortTermMemory::recognise(const LandmarkSighting& sighting) {
   if (!history_.reaches(sighting.stamp)) return;  // too old to say where it belongs
-  landmarks_.see(sighting, history_.at(sighting.stamp), pose_);
+  const Pose2 at = history_.at(sighting.stamp);
+  landmarks_.see(sighting, at, pose_);
+  const LandmarkInMind* seen = landmarks_.find(sighting.name);
+  if (seen == nullptr || seen->in_a_row < settings_.landmarks.confirming_looks) return;
+  place_.see(sighting, at);
+  place_.recall_into(landmarks_);
+}
+
+void ShortTermMemory::close_places(bool failed) {
+  if (failed) place_.fail();
+  place_.keep_all(grid_);
 }
 
 void ShortTermMemory::remember(const MotorCommand& sent, std::string_view doing) {

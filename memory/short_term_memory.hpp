@@ -11,6 +11,7 @@
 #include "memory/landmark_memory.hpp"
 #include "memory/local_grid.hpp"
 #include "memory/odometry_history.hpp"
+#include "memory/place/place_memory.hpp"
 #include "memory/polar_map.hpp"
 #include "memory/salient_memory.hpp"
 #include "platform/interface/robot.hpp"
@@ -28,6 +29,7 @@ struct ShortTermMemorySettings {
   EvidenceSettings evidence;
   SalientSettings salient;
   LandmarkMemorySettings landmarks;
+  PlaceSettings place;
 };
 
 template <class V>
@@ -46,6 +48,7 @@ void visit(V& v, ShortTermMemorySettings& s) {
   v.section("evidence", s.evidence);
   v.section("salient", s.salient);
   v.section("landmarks", s.landmarks);
+  v.section("place", s.place);
 }
 
 /// What the robot knows here and now: the evidence map, the corridor, seven salient regions, its
@@ -65,6 +68,15 @@ class ShortTermMemory {
   /// Once a cycle. The percept may be old, the same as before, or invalid; its evidence is placed
   /// where the robot was at the percept's stamp, and a picture is used once.
   void update(const Senses& senses, const Percept& percept);
+  /// What long-term memory knows of places. Once, before the first update; without it no place is
+  /// estimated.
+  void know_places(const PlaceKnowledge& knowledge) { place_.know(knowledge); }
+  /// What is new about places, for who writes the long-term memory.
+  [[nodiscard]] PlaceNews take_place_news(double operating_s) {
+    return place_.take_news(operating_s);
+  }
+  /// The mission is over: what the map still holds goes with the next news.
+  void close_places(bool failed);
   /// The efference copy: what really went to the motors, and which behaviour wanted it.
   void remember(const MotorCommand& sent, std::string_view doing);
   /// A landmark was recognised in the picture of `sighting.stamp`.
@@ -94,6 +106,9 @@ class ShortTermMemory {
   [[nodiscard]] const CorridorMemory& corridor() const { return corridor_; }
   [[nodiscard]] const SalientMemory& salient() const { return salient_; }
   [[nodiscard]] const LandmarkMemory& landmarks() const { return landmarks_; }
+  /// Where the robot is on the map of its memory, and the routes that were driven.
+  [[nodiscard]] const PlaceMemory& place() const { return place_; }
+  [[nodiscard]] const RouteMap& routes() const { return place_.routes(); }
   /// Seconds since the newest picture; infinity before the first.
   [[nodiscard]] double picture_age_s() const;
   [[nodiscard]] double light_level() const { return light_level_; }  ///< 0..1
@@ -122,6 +137,7 @@ class ShortTermMemory {
   WallFitter wall_fitter_;
   SalientMemory salient_;
   LandmarkMemory landmarks_;
+  PlaceMemory place_;
   std::vector<SalientRegion> regions_now_;
 
   TimePoint now_{};

@@ -120,7 +120,22 @@ struct Recognition {
   double scale = 0.0;              ///< robust: pixels of the picture a pixel of the view
   double angle_rad = 0.0;          ///< robust: how far it is turned, from +u towards +v
   double bearing_rad = 0.0;        ///< robot frame; filled in where the camera is known
-  double distance_m = kNothing_m;  ///< filled in where disparity is known
+  double distance_m = kNothing_m;  ///< from the axle; filled in where disparity is known
+  double height_m = 0.0;           ///< of its middle above the floor, where the distance is known
+};
+
+/// What came of looking where a landmark was expected.
+enum class LookResult {
+  out_of_view,     ///< not wholly in the picture, or too far or too dark to be recognised there
+  hidden,          ///< something nearer stands before it
+  not_looked_for,  ///< the budget was spent on others
+  missed,          ///< it should have been recognised and was not
+  found
+};
+
+struct ExpectedLook {
+  int landmark = 0;  ///< as it was handed in with its views
+  LookResult result = LookResult::out_of_view;
 };
 
 /// All that memory wants to know about one picture pair.
@@ -136,6 +151,8 @@ struct Percept {
   CorridorView corridor;
   SaliencyMap saliency;
   std::vector<Keypoint> keypoints;
+  std::vector<Recognition> recognitions;  ///< most inliers first
+  std::vector<ExpectedLook> expected;     ///< of each landmark that memory expected somewhere
 };
 
 }  // namespace striate

@@ -32,24 +32,27 @@ Perception::Perception(const PerceptionSettings& settings, const RobotDescriptio
       matcher_(settings.stereo),
       keypoint_finder_(settings.keypoints),
       saliency_finder_(settings.saliency),
-      motion_finder_(settings.motion, robot) {}
+      motion_finder_(settings.motion, robot),
+      landmark_finder_(settings.recognition) {}
 
-void Perception::match(const StereoFrame& frame, const cv::Mat1b& left, DisparityMap& disparity) {
+void Perception::match(const StereoFrame& frame, const Greys& greys, DisparityMap& disparity) {
   const int width = settings_.stereo.width;
-  if (settings_.stereo.wants_fine_greys()) {
-    matcher_.match(to_fine_working_size(frame.left, width),
+  if (other_disparities_ != nullptr) {
+    other_disparities_->measure(frame, disparity);
+  } else if (settings_.stereo.wants_fine_greys()) {
+    matcher_.match(to_fine_working_size(greys.whole, width),
                    to_fine_working_size(frame.right, width), disparity);
   } else {
-    matcher_.match(left, to_working_size(frame.right, width), disparity);
+    matcher_.match(greys.small, to_working_size(frame.right, width), disparity);
   }
 }
 
-void Perception::measure_depth(const StereoFrame& frame, const cv::Mat1b& left, Percept& percept) {
+void Perception::measure_depth(const StereoFrame& frame, const Greys& greys, Percept& percept) {
   if (frame.right.empty()) return;
   if (frame.right.size() != frame.left.size()) {
     throw std::invalid_argument("left and right picture differ in size");
   }
-  match(frame, left, percept.disparity);
+  match(frame, greys, percept.disparity);
   if (frame.focal_px <= 0.0 || frame.baseline_m <= 0.0) return;
   const auto find = settings_.stereo.setting == StereoSetting::paper ? find_obstacles_as_in_paper
                                                                      : find_obstacles;
@@ -64,12 +67,12 @@ Percept Perception::see(const StereoFrame& frame, const std::optional<Pose2>& ba
   if (frame.left.empty()) return percept;
   percept.valid = true;
   const cv::Mat1b grey = grey_of(frame.left);
-  const cv::Mat1b left = to_working_size(frame.left, settings_.stereo.width);
+  const cv::Mat1b left = to_working_size(grey, settings_.stereo.width);
   percept.light_level = cv::mean(left)[0] / 255.0;
   percept.noise_level = estimate_noise(grey);
 
   describe_camera(frame, left.cols, percept.disparity);
-  measure_depth(frame, left, percept);
+  measure_depth(frame, {grey, left}, percept);
   percept.corridor = view_corridor(left, percept.disparity, frame.head, robot_, settings_.corridor);
   if (settings_.stereo.setting == StereoSetting::robust) {
     complete_with_walls(percept.columns, percept.corridor, percept.disparity,
@@ -88,6 +91,7 @@ Percept Perception::see(const StereoFrame& frame, const std::optional<Pose2>& ba
   if (settings_.keypoints_every > 0 && pictures_ % settings_.keypoints_every == 0) {
     percept.keypoints = keypoint_finder_.find(grey);
   }
+  landmark_finder_.find(grey, ViewGeometry(percept.disparity, frame.head, robot_), percept);
   ++pictures_;
   return percept;
 }

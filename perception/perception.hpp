@@ -9,35 +9,29 @@
 #include "perception/motion/motion.hpp"
 #include "perception/obstacles/obstacles.hpp"
 #include "perception/percept.hpp"
+#include "perception/recognition/landmark_finder.hpp"
 #include "perception/saliency/saliency.hpp"
+#include "perception/stereo/disparity_source.hpp"
 #include "perception/stereo/stereo_matcher.hpp"
 #include "platform/interface/robot.hpp"
 
 namespace striate {
 
-/// Without what the default of StereoSettings has gained since: the trials in the README were
-/// driven with it.
-[[nodiscard]] inline StereoSettings driven_stereo() {
-  StereoSettings stereo;
-  stereo.robust.confidence = StereoConfidence::score;
-  stereo.robust.least_confidence = 0.3;
-  stereo.robust.fill_gap_px = 0;
-  stereo.robust.fine_greys = false;
-  return stereo;
-}
-
 struct PerceptionSettings {
   /// Its `setting` also chooses how obstacles are found; its `width` is the working size of
   /// everything but keypoints.
-  StereoSettings stereo = driven_stereo();
+  StereoSettings stereo;
   ObstacleSettings obstacles;
   MotionSettings motion;
   CorridorSettings corridor;
-  /// The paper's in the cycle: a third of the robust one's time; the runs were driven with it.
+  /// The paper's in the cycle: a third of the robust one's time, and nothing drives by it.
   SaliencySettings saliency{.setting = SaliencySetting::paper};
   KeypointSettings keypoints;
-  int keypoints_every = 5;  ///< pictures; in between the percept has no keypoints; 0: never
-  int saliency_every = 1;   ///< pictures; in between the percept has no saliency
+  LandmarkFinderSettings recognition;
+  /// Pictures; in between the percept has no keypoints; 0: never. Nothing in the cycle reads them:
+  /// recognition finds its own, with Striate's descriptor.
+  int keypoints_every = 0;
+  int saliency_every = 1;  ///< pictures; in between the percept has no saliency
 };
 
 template <class V>
@@ -48,14 +42,16 @@ void visit(V& v, PerceptionSettings& s) {
   v.section("corridor", s.corridor);
   v.section("saliency", s.saliency);
   v.section("keypoints", s.keypoints);
+  v.section("recognition", s.recognition);
   v.integer("saliency_every", s.saliency_every, {1, 100}, "saliency in every n-th picture");
   v.integer("keypoints_every", s.keypoints_every, {0, 100},
             "keypoints in every n-th picture; 0: never");
 }
 
-/// All of seeing: one picture pair in, one percept out. Holds no memory of earlier pictures but
-/// their count (and copies of the last ones where `saliency.motion_weight` is not zero or `motion`
-/// is on), so the same pictures in the same order always give the same percepts.
+/// All of seeing: one picture pair in, one percept out. What landmarks look like is handed in by
+/// who remembers them (`landmarks()`). Holds no memory of earlier pictures but their count (and
+/// copies of the last ones where `saliency.motion_weight` is not zero or `motion` is on), so the
+/// same pictures in the same order always give the same percepts.
 class Perception {
  public:
   /// Throws UserError for settings out of range.
@@ -69,9 +65,19 @@ class Perception {
   /// found to move.
   [[nodiscard]] Percept see(const StereoFrame& frame, const std::optional<Pose2>& base = {});
 
+  /// From now on the disparities are `source`'s, which must live as long; for baselines.
+  void take_disparities_from(DisparitySource& source) { other_disparities_ = &source; }
+  /// Takes what memory knows of landmarks; nothing is looked for before.
+  [[nodiscard]] LandmarkFinder& landmarks() { return landmark_finder_; }
+
  private:
-  void match(const StereoFrame& frame, const cv::Mat1b& left, DisparityMap& disparity);
-  void measure_depth(const StereoFrame& frame, const cv::Mat1b& left, Percept& percept);
+  /// The left picture in grey, as it came and at the working size.
+  struct Greys {
+    const cv::Mat1b& whole;
+    const cv::Mat1b& small;
+  };
+  void match(const StereoFrame& frame, const Greys& greys, DisparityMap& disparity);
+  void measure_depth(const StereoFrame& frame, const Greys& greys, Percept& percept);
 
   PerceptionSettings settings_;
   RobotDescription robot_;
@@ -79,6 +85,8 @@ class Perception {
   KeypointFinder keypoint_finder_;
   SaliencyFinder saliency_finder_;
   MotionFinder motion_finder_;
+  DisparitySource* other_disparities_ = nullptr;
+  LandmarkFinder landmark_finder_;
   std::int64_t pictures_ = 0;
 };
 

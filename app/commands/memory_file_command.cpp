@@ -110,9 +110,10 @@ void take_in(const MemoryCommandOptions& options, const std::string& from, Memor
   print_notices(writer.notices());
   Merged merged;
   writer.commit([&](MemoryTables& tables) {
+    merged = merge(tables, other, options.settings());
+    if (merged.nothing_new()) return;
     const Session session = tables.sessions.begin(SessionKind::import, software_name(), from,
                                                   memory_options(Access::session, "").now_unix_s);
-    merged = merge(tables, other, options.settings());
     tables.sessions.end(session.id, 0.0, "kept");
   });
   if (options.json) {

@@ -7,6 +7,7 @@
 
 #include "app/commands/memory_command.hpp"
 #include "app/memory/memory_json.hpp"
+#include "app/memory/memory_map_svg.hpp"
 #include "app/memory/memory_pictures.hpp"
 #include "app/memory/open_memory.hpp"
 #include "app/memory/text_table.hpp"
@@ -53,23 +54,32 @@ void print_map(const std::vector<Landmark>& landmarks, const std::vector<Route>&
   if (!cells.empty()) fmt::print("\nobstacle grid: {} cells of 10 cm\n", cells.size());
 }
 
+/// PNG or SVG, by the end of the name.
+void draw_map(const std::string& file, const std::vector<Landmark>& landmarks,
+              const std::vector<Route>& routes, const std::vector<ObstacleCell>& cells) {
+  check_writable(file);
+  if (file.ends_with(".svg")) {
+    write_file(file, pictures::memory_map_svg(landmarks, routes, cells));
+  } else {
+    write_picture(file, pictures::draw_memory_map(landmarks, routes, cells));
+  }
+}
+
 void map(const MemoryCommandOptions& options, const std::string& picture) {
-  with_memory(
-      options.file, Access::read, "reading its map", [&](MemoryTables& tables, MemoryFile&) {
-        const std::vector<Landmark> landmarks = tables.landmarks.all(true);
-        const std::vector<Route> routes = tables.places.routes();
-        const std::vector<ObstacleCell> cells = tables.places.cells();
-        if (!picture.empty()) {
-          check_writable(picture);
-          write_picture(picture,
-                        pictures::draw_memory_map(tables.landmarks.all(false), routes, cells));
-        }
-        if (options.json) {
-          print_map_json(landmarks, routes, cells);
-        } else {
-          print_map(landmarks, routes, cells);
-        }
-      });
+  with_memory(options.file, Access::read, "reading its map",
+              [&](MemoryTables& tables, MemoryFile&) {
+                const std::vector<Landmark> landmarks = tables.landmarks.all(true);
+                const std::vector<Route> routes = tables.places.routes();
+                const std::vector<ObstacleCell> cells = tables.places.cells();
+                if (!picture.empty()) {
+                  draw_map(picture, tables.landmarks.all(false), routes, cells);
+                }
+                if (options.json) {
+                  print_map_json(landmarks, routes, cells);
+                } else {
+                  print_map(landmarks, routes, cells);
+                }
+              });
 }
 
 void episodes(const MemoryCommandOptions& options, int most) {
@@ -100,7 +110,7 @@ void add_memory_map_verbs(CLI::App& command, const SharedMemoryOptions& shared, 
   auto picture = std::make_shared<std::string>();
   CLI::App* verb =
       command.add_subcommand("map", "Lists places and routes; or draws them with the obstacles.");
-  verb->add_option("--picture", *picture, "writes the map from above (PNG)");
+  verb->add_option("--picture", *picture, "writes the map from above (.png or .svg)");
   verb->callback([shared, picture, &exit_code] {
     map(*shared, *picture);
     exit_code = 0;

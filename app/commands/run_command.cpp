@@ -1,14 +1,12 @@
 #include <fmt/format.h>
 
-#include <filesystem>
 #include <memory>
 #include <string>
-#include <vector>
 
 #include "app/commands/commands.hpp"
 #include "app/commands/run_on_robot.hpp"
 #include "app/interrupt.hpp"
-#include "app/memory/open_memory.hpp"
+#include "app/memory/landmark_knowledge.hpp"
 #include "app/mission.hpp"
 #include "app/mission_memory.hpp"
 #include "app/mission_pictures.hpp"
@@ -82,37 +80,29 @@ int exit_code_of(const RunResult& result) {
   return result.outcome == "interrupted" ? 130 : 1;
 }
 
-/// What the memory knows before the mission; nothing where it is still to be made.
-std::vector<std::string> names_in(const std::string& memory) {
-  std::vector<std::string> names;
-  if (!std::filesystem::exists(memory)) return names;
-  with_memory(memory, Access::read, "looking up its landmarks",
-              [&](MemoryTables& tables, MemoryFile&) {
-                for (const Landmark& one : tables.landmarks.all(false)) names.push_back(one.name);
-              });
-  return names;
-}
-
 int run(const RunOptions& given) {
   RunOptions options = given;
-  if (!options.memory.empty()) options.mission.landmarks = names_in(options.memory);
+  if (!options.memory.empty()) options.mission.knowledge = read_mission_knowledge(options.memory);
   options.mission.emergency_layer = !options.no_emergency;
   if (!options.result.empty()) check_writable(options.result);
   const Interrupt interrupt;
   Mission mission(options.mission);
   MissionPictures pictures(options.pictures, options.picture_every);
-  MissionMemory memory(options.memory, options.mission);
+  MissionMemory memory(options.memory, options.mission.robot,
+                       fmt::format("{} in {}, seed {}", options.mission.task, options.mission.world,
+                                   options.mission.seed));
   StatusLine status(options.quiet || options.json);
   std::string said;
   const RunResult result = mission.run([&](const Mission& running) {
     pictures.take(running);
     tell_what_is_said(running, said, status);
-    memory.take(running);
+    memory.take(mission.cycle());
+    memory.take(mission.body().judge());
     if (status.due()) status.show(status_text(running));
     return Interrupt::requested();
   });
   status.clear();
-  memory.finish(mission, result);
+  memory.finish(mission.cycle(), result);
   pictures.finish(mission, result);
   const std::string json = to_json(result).dump(2) + "\n";
   if (!options.result.empty()) write_file(options.result, json);
@@ -126,14 +116,13 @@ int run(const RunOptions& given) {
 
 /// Without a world the robot is a real one.
 int run_with_robot(const RunOptions& options) {
-  if (!options.memory.empty() || !options.pictures.empty()) {
-    throw UserError("striate run: --memory and --pictures go with --world");
-  }
+  if (!options.pictures.empty()) throw UserError("striate run: --pictures goes with --world");
   RunOnRobotOptions real;
   real.mission.task = options.mission.task;
   real.mission.robot = options.mission.robot;
   real.mission.emergency_layer = !options.no_emergency;
   real.given = options.given;
+  real.memory = options.memory;
   real.result = options.result;
   real.quiet = options.quiet;
   real.json = options.json;
@@ -171,6 +160,8 @@ void add_run_command(CLI::App& app, int& exit_code) {
   command->add_option("--result", options->result, "JSON file for what came of it");
   command->add_option("--memory", options->memory,
                       "the long-term memory that keeps what happens; made where there is none");
+  command->add_option("--baseline", options->mission.baseline,
+                      "drive by other disparities: paper, sgbm (OpenCV's) or truth");
   command
       ->add_option("--var", options->given,
                    "a variable of the task, as \"way=20 m\", for a run without a world")

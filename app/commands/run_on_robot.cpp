@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "app/interrupt.hpp"
+#include "app/mission_memory.hpp"
 #include "app/status_line.hpp"
 #include "config/user_error.hpp"
 
@@ -66,16 +67,21 @@ int run_on_robot(const RunOnRobotOptions& options) {
   RobotMissionOptions asked = options.mission;
   asked.given = variables(options.given);
   if (!options.result.empty()) check_writable(options.result);
+  if (!options.memory.empty()) asked.knowledge = read_mission_knowledge(options.memory);
   const Interrupt interrupt;
   RobotMission mission(asked);
+  MissionMemory memory(options.memory, asked.robot,
+                       fmt::format("{} with {}", asked.task, asked.robot));
   if (options.at_begin) options.at_begin(mission);
   StatusLine status(options.quiet || options.json);
   const RunResult result = mission.run([&](const RobotMission&) {
+    memory.take(mission.cycle());
     if (options.each_cycle) options.each_cycle(mission);
     if (status.due()) status.show(status_text(mission));
     return Interrupt::requested();
   });
   status.clear();
+  memory.finish(mission.cycle(), result);
   if (!options.result.empty()) write_file(options.result, json_of(result));
   if (options.json) {
     fmt::print("{}", json_of(result));

@@ -12,6 +12,7 @@ namespace striate {
 struct RunOnRobotOptions {
   RobotMissionOptions mission;
   std::vector<std::string> given;  ///< "way=20 m"
+  std::string memory;              ///< long-term memory; empty: none
   std::string result;
   bool quiet = false;
   bool json = false;

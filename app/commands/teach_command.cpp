@@ -1,15 +1,21 @@
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
+#include <iostream>
 #include <memory>
 
 #include "app/commands/commands.hpp"
+#include "app/interrupt.hpp"
 #include "app/memory/memory_json.hpp"
 #include "app/memory/open_memory.hpp"
 #include "app/memory/picture_view.hpp"
+#include "app/place_text.hpp"
 #include "app/read_picture.hpp"
 #include "app/robot_settings.hpp"
+#include "app/teaching/keep_taught.hpp"
+#include "app/teaching/live_teaching.hpp"
 #include "config/user_error.hpp"
 #include "memory/long_term/memory_writer.hpp"
 #include "memory/long_term/teaching.hpp"
@@ -21,7 +27,10 @@ struct TeachOptions {
   std::string name;
   std::vector<std::string> images;
   std::string memory = "home.db";
-  std::string robot;  ///< settings file; empty: the defaults
+  std::string robot;    ///< settings file; empty: the defaults
+  MissionOptions live;  ///< task and world; without them it learns from pictures
+  std::string at;       ///< where the robot starts; empty: the world's start
+  bool yes = false;     ///< nobody is asked
   bool undo = false;
   bool json = false;
 };
@@ -81,17 +90,59 @@ void teach_pictures(const TeachOptions& options) {
   for (const std::string& file : picture_files(options.images)) {
     views.push_back(view_of_picture(read_any_picture(file), settings));
   }
-  const MemoryOptions opening = memory_options(Access::session, "striate teach");
-  MemoryWriter writer(options.memory, opening);
-  print_notices(writer.notices());
-  Taught taught;
-  writer.commit([&](MemoryTables& tables) {
-    const Session session = tables.sessions.begin(SessionKind::teach, software_name(), options.name,
-                                                  opening.now_unix_s);
-    taught = teach(tables, session, options.name, views, settings);
-    tables.sessions.end(session.id, 0.0, "kept");
-  });
-  print_taught(options, taught);
+  print_taught(options, keep_taught(options.memory, options.name, views, settings));
+}
+
+void tell_views(const LiveViews& seen) {
+  for (std::size_t k = 0; k < seen.views.size(); ++k) {
+    const StoredView& view = seen.views[k];
+    fmt::print(stderr, "view {}: {:.0f} x {:.0f} px, {} keypoints, {:.2f} m away\n", k + 1,
+               view.width_px, view.height_px, view.keypoints.size(), view.range_m.value_or(0.0));
+  }
+  if (seen.looked_in_vain > 0) {
+    fmt::print(stderr, "{} look{} in vain: nothing stood out there\n", seen.looked_in_vain,
+               seen.looked_in_vain == 1 ? "" : "s");
+  }
+}
+
+/// The person says whether it is to be kept.
+bool confirmed(const TeachOptions& options) {
+  if (options.yes) return true;
+  fmt::print(stderr, "keep it as '{}'? [y/n] ", options.name);
+  std::string answer;
+  return std::getline(std::cin, answer) && (answer == "y" || answer == "yes");
+}
+
+/// @return exit code
+int teach_live(const TeachOptions& given) {
+  TeachOptions options = given;
+  check_landmark_name(options.name);
+  if (!options.yes && isatty(STDIN_FILENO) == 0) {
+    throw UserError("nobody can be asked whether it is to be kept: say --yes");
+  }
+  if (!options.at.empty()) options.live.start = parse_place(options.at);
+  options.live.robot = options.robot;
+  const LongTermSettings settings = load_robot_settings(options.robot).long_term_memory;
+  const Interrupt interrupt;
+  const LiveViews seen =
+      take_views(options.live, [](const Mission&) { return Interrupt::requested(); });
+  tell_views(seen);
+  std::vector<std::string> remarks;
+  const std::vector<StoredView> views = with_structure(seen.views, settings, remarks);
+  for (const std::string& remark : remarks) fmt::print(stderr, "{}\n", remark);
+  if (seen.result.outcome != "success" || views.empty()) {
+    const bool poor = seen.result.outcome == "success";
+    fmt::print(stderr, "nothing was kept: {}\n",
+               poor ? "too little structure to be recognised"
+                    : seen.result.outcome + " (" + seen.result.reason + ")");
+    return seen.result.outcome == "interrupted" ? 130 : 1;
+  }
+  if (!confirmed(options)) {
+    fmt::print(stderr, "nothing was kept\n");
+    return 1;
+  }
+  print_taught(options, keep_taught(options.memory, options.name, views, settings));
+  return 0;
 }
 
 void undo(const TeachOptions& options) {
@@ -117,11 +168,17 @@ int run(const TeachOptions& options) {
     undo(options);
     return 0;
   }
-  if (options.name.empty() || options.images.empty()) {
+  const bool live = !options.live.task.empty() || !options.live.world.empty();
+  if (live && (options.live.task.empty() || options.live.world.empty())) {
+    throw UserError("a robot that is to look at something needs --task and --world");
+  }
+  if (options.name.empty() || live != options.images.empty()) {
     throw UserError(
         "what is to be learned, and from which picture?\n"
-        "    striate teach NAME --image PICTURE --memory home.db");
+        "    striate teach NAME --image PICTURE --memory home.db\n"
+        "    striate teach NAME --task config/tasks/teach.yaml --world WORLD --memory home.db");
   }
+  if (live) return teach_live(options);
   teach_pictures(options);
   return 0;
 }
@@ -132,8 +189,12 @@ void add_teach_command(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<TeachOptions>();
   CLI::App* command = app.add_subcommand(
       "teach",
-      "Teaches a landmark by its name from pictures of it; it is on the disk when this ends.\n"
-      "Example: striate teach book --image cover.png --image back.png --memory home.db\n"
+      "Teaches a landmark by its name, from pictures of it or by what the simulated robot looks\n"
+      "at; it is on the disk when this ends.\n"
+      "Examples: striate teach book --image cover.png --image back.png --memory home.db\n"
+      "          striate teach red_book --task config/tasks/teach.yaml --robot "
+      "config/robots/sharp_eyes.yaml\n"
+      "            --world config/worlds/objects_teach.yaml --at \"2 m, 0.2 m, 90 deg\"\n"
       "Says so where the thing looks like a known one, or has too little structure.");
   command->add_option("name", options->name, "the name it gets; a known one gets further views");
   command
@@ -141,6 +202,14 @@ void add_teach_command(CLI::App& app, int& exit_code) {
                    "a picture that shows the thing and little else, or a folder of such; "
                    "several: several sides")
       ->allow_extra_args(false);
+  command->add_option("--task", options->live.task,
+                      "what the robot does to look at the thing ahead of it: a task with 'teach'");
+  command->add_option("--world", options->live.world, "where the robot is");
+  command->add_option("--at", options->at,
+                      "where it starts: along, left of the middle, heading; without it the world's "
+                      "start");
+  command->add_option("--seed", options->live.seed, "of the run")->capture_default_str();
+  command->add_flag("--yes", options->yes, "keep it without asking");
   command->add_option("--memory", options->memory, "the memory; made where there is none")
       ->capture_default_str();
   command->add_option("--robot", options->robot, "settings of the robot and its mind");

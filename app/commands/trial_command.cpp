@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "app/commands/commands.hpp"
+#include "app/objects/object_trial.hpp"
 #include "app/trial/trial.hpp"
 #include "app/trial/trial_merge.hpp"
 #include "config/user_error.hpp"
@@ -37,6 +38,22 @@ void add_merge(CLI::App& trial, int& exit_code) {
   merge->callback([folders, out, &exit_code] { exit_code = merge_trials(*folders, *out); });
 }
 
+/// `--objects`: the worlds, where given, are the one to teach in and the one to seek in.
+int run_objects(const TrialOptions& given, ObjectTrialOptions options) {
+  if (!given.worlds.empty() && given.worlds.size() != 2) {
+    throw UserError("--objects takes two worlds: one to teach in, one to seek in");
+  }
+  if (given.worlds.size() == 2) {
+    options.teach_world = given.worlds[0];
+    options.find_world = given.worlds[1];
+  }
+  if (!given.robot.empty()) options.robot = given.robot;
+  options.out = given.out;
+  options.seed = given.first_seed;
+  options.quiet = given.quiet;
+  return run_object_trial(options);
+}
+
 void check_given(const TrialOptions& options) {
   if (!options.worlds.empty() && !options.out.empty()) return;
   throw UserError(
@@ -50,6 +67,8 @@ void add_trial_command(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<TrialOptions>();
   auto no_emergency = std::make_shared<bool>(false);
   auto shard = std::make_shared<std::string>();
+  auto objects = std::make_shared<ObjectTrialOptions>();
+  auto of_objects = std::make_shared<bool>(false);
   CLI::App* command = app.add_subcommand(
       "trial",
       "Runs a mission many times in several worlds and prints the table of successes.\n"
@@ -73,11 +92,23 @@ void add_trial_command(CLI::App& app, int& exit_code) {
                       "i/n: only every n-th run, for n machines; 'striate trial merge' joins them");
   command->add_flag("--no-emergency", *no_emergency,
                     "sonar and laser do nothing: vision alone keeps the robot from touching");
+  command->add_option("--baseline", options->baseline,
+                      "the same behaviours fed with other disparities: paper, sgbm (OpenCV's) or "
+                      "truth; 'striate trial merge' puts them beside Striate's own");
   command->add_flag("--quiet", options->quiet, "no progress bar");
+  command->add_flag("--objects", *of_objects,
+                    "instead: teaches eight objects in one world and seeks them in another; --out "
+                    "is all it needs");
+  command->add_option("--only", objects->only, "with --objects: these, separated by commas")
+      ->delimiter(',');
   command->require_subcommand(0, 1);
   add_merge(*command, exit_code);
-  command->callback([command, options, no_emergency, shard, &exit_code] {
+  command->callback([=, &exit_code] {
     if (!command->get_subcommands().empty()) return;  // merge has been run
+    if (*of_objects) {
+      exit_code = run_objects(*options, *objects);
+      return;
+    }
     check_given(*options);
     read_shard(*shard, *options);
     options->emergency_layer = !*no_emergency;

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <optional>
 
+#include "app/baselines/baseline.hpp"
 #include "app/interrupt.hpp"
 #include "app/run_result.hpp"
 #include "app/status_line.hpp"
@@ -30,17 +31,19 @@ std::optional<RunResult> finished(const TrialRun& run, const TrialOptions& optio
     return std::nullopt;
   }
   if (result.world != run.world || result.task != options.task ||
-      result.emergency_layer != options.emergency_layer) {
-    throw UserError(fmt::format(
-        "{}: holds a run of another trial ({}, {}, emergency layer {})\n"
-        "    give another --out folder, or remove this one",
-        run.result_file, result.world, result.task, result.emergency_layer ? "on" : "off"));
+      result.emergency_layer != options.emergency_layer || result.baseline != options.baseline) {
+    throw UserError(
+        fmt::format("{}: holds a run of another trial ({}, {}, emergency layer {})\n"
+                    "    give another --out folder, or remove this one",
+                    run.result_file, row_name(result.world, result.baseline), result.task,
+                    result.emergency_layer ? "on" : "off"));
   }
   if (result.outcome == "interrupted" || result.outcome == "lost") return std::nullopt;
   return result;
 }
 
 void check_options(const TrialOptions& options) {
+  static_cast<void>(baseline_named(options.baseline));
   for (const std::string& world : options.worlds) {
     if (!std::filesystem::is_regular_file(world)) {
       throw UserError(fmt::format("{}: there is no such world file", world));

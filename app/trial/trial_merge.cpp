@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// World, then seed: the order of the table.
+/// World with its baseline, then seed: the order of the table.
 using Key = std::pair<std::string, std::uint64_t>;
 
 struct Found {
@@ -79,7 +79,9 @@ void take_folder(const std::string& folder, Runs& all, std::set<Key>& unfinished
     if (entry.path().extension() != ".json") continue;
     Found found{read_run(entry.path()), entry.path().string()};
     ++count;
-    const Key key{found.result.world, found.result.seed};
+    const Key key{found.result.baseline.empty() ? found.result.world
+                                                : found.result.world + ", " + found.result.baseline,
+                  found.result.seed};
     if (found.result.outcome == "interrupted" || found.result.outcome == "lost") {
       unfinished.insert(key);
       continue;

@@ -10,6 +10,10 @@ std::string world_name(const std::string& file) {
   return std::filesystem::path(file).stem().string();
 }
 
+std::string row_name(const std::string& file, const std::string& baseline) {
+  return world_name(file) + (baseline.empty() ? "" : ", " + baseline);
+}
+
 std::vector<TrialRun> plan_trial(const TrialOptions& options) {
   std::vector<TrialRun> runs;
   int number = 0;
@@ -38,6 +42,10 @@ std::vector<std::string> command_of(const TrialRun& run, const TrialOptions& opt
                                       "--result",
                                       run.result_file};
   if (!options.emergency_layer) command.emplace_back("--no-emergency");
+  if (!options.baseline.empty()) {
+    command.emplace_back("--baseline");
+    command.push_back(options.baseline);
+  }
   if (!options.robot.empty()) {
     command.emplace_back("--robot");
     command.push_back(options.robot);

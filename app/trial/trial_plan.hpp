@@ -15,6 +15,7 @@ struct TrialOptions {
   int jobs = 1;       ///< how many at once
   std::uint64_t first_seed = 1;
   bool emergency_layer = true;
+  std::string baseline;  ///< see MissionOptions
   std::string out;
   int shard = 1;   ///< which part of the runs, 1 .. shards
   int shards = 1;  ///< over how many machines they are split
@@ -35,6 +36,9 @@ struct TrialRun {
 /// The command line of one run, program first.
 [[nodiscard]] std::vector<std::string> command_of(const TrialRun& run, const TrialOptions& options,
                                                   const std::string& program);
+
+/// "corridor_a", and "corridor_a, sgbm" with a baseline: the name of a row of the table.
+[[nodiscard]] std::string row_name(const std::string& file, const std::string& baseline);
 
 /// "corridor_a" from "config/worlds/corridor_a.yaml".
 [[nodiscard]] std::string world_name(const std::string& file);

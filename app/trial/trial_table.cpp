@@ -106,7 +106,7 @@ std::string runs_csv(const std::vector<RunResult>& results) {
   std::string csv =
       "world,seed,outcome,reached_goal,collisions,first_hit,hit_moving,hit_light_level,hit_time_s,"
       "hit_along_m,hit_left_m,distance_m,duration_s,nearest_pass_m,emergency_stops,"
-      "longest_stand_s,mean_cycle_ms,realtime_factor,emergency_layer,reason\n";
+      "longest_stand_s,mean_cycle_ms,realtime_factor,emergency_layer,baseline,reason\n";
   for (const RunResult& r : results) {
     csv += fmt::format("{},{},{},{},{},", world_name(r.world), r.seed, r.outcome, r.reached_goal,
                        r.collisions.size());
@@ -119,19 +119,18 @@ std::string runs_csv(const std::vector<RunResult>& results) {
     }
     std::string reason = r.reason;
     std::replace(reason.begin(), reason.end(), '"', '\'');
-    csv += fmt::format("{:.3f},{:.2f},{:.4f},{},{:.1f},{:.3f},{:.2f},{},\"{}\"\n", r.distance_m,
+    csv += fmt::format("{:.3f},{:.2f},{:.4f},{},{:.1f},{:.3f},{:.2f},{},{},\"{}\"\n", r.distance_m,
                        r.duration_s, r.nearest_pass_m, r.emergency_stops, r.longest_stand_s,
-                       r.mean_cycle_ms, r.realtime_factor, r.emergency_layer, reason);
+                       r.mean_cycle_ms, r.realtime_factor, r.emergency_layer, r.baseline, reason);
   }
   return csv;
 }
 
 std::string trial_table(const std::vector<RunResult>& results) {
   std::vector<Row> rows;
-  Row total;
-  total.name = "all";
+  std::map<std::string, Row> totals;  // of each baseline
   for (const RunResult& result : results) {
-    const std::string name = world_name(result.world);
+    const std::string name = row_name(result.world, result.baseline);
     auto row = std::find_if(rows.begin(), rows.end(), [&](const Row& r) { return r.name == name; });
     if (row == rows.end()) {
       rows.push_back({});
@@ -139,6 +138,8 @@ std::string trial_table(const std::vector<RunResult>& results) {
       row->name = name;
     }
     add(*row, result);
+    Row& total = totals[result.baseline];
+    total.name = row_name("all", result.baseline);
     add(total, result);
   }
   std::string text =
@@ -146,7 +147,9 @@ std::string trial_table(const std::vector<RunResult>& results) {
       "emergency stops a run | longest stand |\n"
       "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n";
   for (const Row& row : rows) text += line_of(row);
-  if (rows.size() > 1) text += line_of(total);
+  for (const auto& [baseline, total] : totals) {
+    if (rows.size() > totals.size()) text += line_of(total);
+  }
   const std::string failures = causes(results);
   if (!failures.empty()) text += "\nWhat went wrong:\n" + failures;
   return text;
@@ -157,9 +160,10 @@ std::string replay_commands(const std::vector<RunResult>& results, const std::st
   for (const RunResult& result : results) {
     if (result.outcome == "success") continue;
     text += fmt::format(
-        "    striate run {} --world {} --seed {}{}{} --picture-every 10 --pictures "
+        "    striate run {} --world {} --seed {}{}{}{} --picture-every 10 --pictures "
         "out/replay/{}_seed{:03d}\n",
         result.task, result.world, result.seed, result.emergency_layer ? "" : " --no-emergency",
+        result.baseline.empty() ? "" : " --baseline " + result.baseline,
         robot.empty() ? "" : " --robot " + robot, world_name(result.world), result.seed);
   }
   return text.empty() ? text : "\nTo see what failed again:\n" + text;

@@ -67,6 +67,9 @@ LandmarkTable::LandmarkTable(SQLite::Database& database)
               "UPDATE landmark SET x_m = ?, y_m = ?, var_x_m2 = ?, cov_xy_m2 = ?, var_y_m2 = ?, "
               "strength = ?, uses = ?, first_use_s = ?, recent_uses_s = ?, pinned = ?, "
               "retired_s = ?, retired_why = ? WHERE id = ?"),
+      set_position_(database,
+                    "UPDATE landmark SET x_m = ?, y_m = ?, var_x_m2 = ?, cov_xy_m2 = ?, "
+                    "var_y_m2 = ? WHERE id = ?"),
       rename_(database, "UPDATE landmark SET name = ?, kind = ? WHERE id = ?"),
       remove_(database, "DELETE FROM landmark WHERE id = ?") {}
 
@@ -96,6 +99,12 @@ void LandmarkTable::update(const Landmark& landmark) {
   StatementUse use(update_);
   bind(use, landmark);
   use.with(landmark.id).run();
+}
+
+void LandmarkTable::set_position(std::int64_t id, const MapPosition& at) {
+  StatementUse use(set_position_);
+  use.with(at.x_m).with(at.y_m).with(at.var_x_m2).with(at.cov_xy_m2).with(at.var_y_m2);
+  use.with(id).run();
 }
 
 void LandmarkTable::rename(std::int64_t id, const std::string& name, LandmarkKind kind) {

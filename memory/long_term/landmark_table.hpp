@@ -25,6 +25,8 @@ class LandmarkTable {
 
   /// Writes everything but id, session, name and kind.
   void update(const Landmark& landmark);
+  /// Only where it is. Nothing where there is no such landmark any more.
+  void set_position(std::int64_t id, const MapPosition& at);
   /// A candidate becomes a landmark that a person has named, or one is named anew.
   void rename(std::int64_t id, const std::string& name, LandmarkKind kind);
   /// With all its views and routes.
@@ -32,7 +34,7 @@ class LandmarkTable {
 
  private:
   SQLite::Database& database_;
-  SQLite::Statement add_, find_, all_, update_, rename_, remove_;
+  SQLite::Statement add_, find_, all_, update_, set_position_, rename_, remove_;
 };
 
 /// "[12.500, 3.000]" and back.

@@ -6,20 +6,27 @@
 
 namespace striate {
 
+bool Learning::same_place(const Point2& a, const Point2& b) const {
+  return std::hypot(a.x_m - b.x_m, a.y_m - b.y_m) < settings_.new_use_after_m;
+}
+
 bool Learning::seen(std::int64_t landmark, const Point2& from) {
   Known& known = known_[landmark];
   known.missed_frames = 0;
-  const double moved_m = std::hypot(from.x_m - known.used_from.x_m, from.y_m - known.used_from.y_m);
-  if (known.used && moved_m < settings_.new_use_after_m) return false;
+  known.was_missed = false;
+  if (known.used && same_place(from, known.used_from)) return false;
   known.used = true;
   known.used_from = from;
   return true;
 }
 
-bool Learning::missed(std::int64_t landmark) {
+bool Learning::missed(std::int64_t landmark, const Point2& from) {
   Known& known = known_[landmark];
   if (++known.missed_frames < settings_.missed_frames) return false;
   known.missed_frames = 0;
+  if (known.was_missed && same_place(from, known.missed_from)) return false;
+  known.was_missed = true;
+  known.missed_from = from;
   return true;
 }
 

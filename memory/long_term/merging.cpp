@@ -3,9 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
+#include <set>
 #include <unordered_map>
 
+#include "memory/long_term/map_alignment.hpp"
 #include "memory/long_term/teaching.hpp"
 
 namespace striate {
@@ -22,23 +25,40 @@ class Merger {
                std::any_of(ours.begin(), ours.end(), [](auto& one) { return one.position; });
     tables_.views.for_each(
         [&](const StoredView& view) { last_view_ = std::max(last_view_, view.id); });
-    // The other's operating time goes on where ours has ended.
-    shift_s_ = tables_.sessions.all().empty() ? 0.0 : tables_.sessions.operating_now_s();
   }
 
   Merged run() {
     take_sessions();
     for (const Landmark& landmark : other_.landmarks.all(true)) take(landmark);
-    take_places();
+    take_routes();
+    take_map();
     take_episodes();
     return merged_;
   }
 
  private:
+  /// The sessions of what was merged before are here already, and what belongs to them is known.
+  /// The other's operating time goes on where ours has ended.
   void take_sessions() {
-    std::vector<Session> sessions = other_.sessions.all();
-    std::reverse(sessions.begin(), sessions.end());
-    for (Session session : sessions) {
+    theirs_ = other_.sessions.all();
+    std::reverse(theirs_.begin(), theirs_.end());
+    std::vector<Session> ours = tables_.sessions.all();
+    std::reverse(ours.begin(), ours.end());
+    for (const Session& session : theirs_) {
+      const auto same = std::find_if(ours.begin(), ours.end(), [&](const Session& one) {
+        return one.started_unix_s == session.started_unix_s && one.software == session.software &&
+               one.settings == session.settings;
+      });
+      if (same == ours.end()) continue;
+      known_before_[session.id] = same->operating_start_s - session.operating_start_s;
+      sessions_[session.id] = same->id;
+      ours.erase(same);
+    }
+    const double now_s = ours_now_s();
+    for (Session session : theirs_) {
+      if (known_before_.contains(session.id)) continue;
+      if (merged_.sessions == 0) shift_s_ = now_s - session.operating_start_s;
+      ++merged_.sessions;
       if (session.state == SessionState::open) session.state = SessionState::closed;
       // Not taught here: undoing the last teaching must not reach it.
       if (session.kind == SessionKind::teach) session.kind = SessionKind::import;
@@ -46,6 +66,30 @@ class Merger {
       session.operating_start_s += shift_s_;
       sessions_[id] = tables_.sessions.adopt(session);
     }
+  }
+
+  double ours_now_s() {
+    return tables_.sessions.all().empty() ? 0.0 : tables_.sessions.operating_now_s();
+  }
+
+  /// Whether it happened in a session that came in now. Without sessions, all is taken for new.
+  [[nodiscard]] bool is_new(double their_time_s) const {
+    const Session* session = session_at(their_time_s);
+    return session == nullptr || !known_before_.contains(session->id);
+  }
+
+  [[nodiscard]] const Session* session_at(double their_time_s) const {
+    const Session* at = theirs_.empty() ? nullptr : &theirs_.front();
+    for (const Session& session : theirs_) {
+      if (session.operating_start_s <= their_time_s) at = &session;
+    }
+    return at;
+  }
+
+  [[nodiscard]] double our_time_s(double their_time_s) const {
+    const Session* session = session_at(their_time_s);
+    const auto known = session == nullptr ? known_before_.end() : known_before_.find(session->id);
+    return their_time_s + (known == known_before_.end() ? shift_s_ : known->second);
   }
 
   void take(const Landmark& landmark) {
@@ -96,27 +140,29 @@ class Merger {
 
   std::int64_t add(Landmark landmark) {
     landmark.session = sessions_[landmark.session];
-    shift(landmark);
+    if (landmark.position && has_map_) to_place_.push_back({landmark.name, *landmark.position});
     if (has_map_) landmark.position.reset();
+    shift(landmark);
     return tables_.landmarks.add(landmark);
   }
 
-  /// Both histories become one; the stronger opinion counts.
+  /// Both histories become one, without what was known before; the stronger opinion counts.
   std::int64_t join(Landmark ours, Landmark theirs) {
+    join_histories(ours.history, theirs.history);
     shift(theirs);
-    std::vector<double>& recent_s = ours.history.recent_s;
-    recent_s.insert(recent_s.end(), theirs.history.recent_s.begin(), theirs.history.recent_s.end());
-    std::sort(recent_s.begin(), recent_s.end(), std::greater<>());
-    if (recent_s.size() > UseHistory::kKept) recent_s.resize(UseHistory::kKept);
-    ours.history.uses += theirs.history.uses;
-    ours.history.first_s = std::min(ours.history.first_s, theirs.history.first_s);
     ours.strength = std::max(ours.strength, theirs.strength);
     ours.pinned = ours.pinned || theirs.pinned;
-    if (!theirs.retired_s) {
+    if (!theirs.retired_s && merged_.sessions > 0) {
       ours.retired_s.reset();
       ours.retired_why.clear();
     }
-    if (!has_map_ && !ours.position) ours.position = theirs.position;
+    if (theirs.position && ours.position) {
+      common_.push_back({*theirs.position, *ours.position});
+    } else if (theirs.position && has_map_) {
+      to_place_.push_back({ours.name, *theirs.position});
+    } else if (theirs.position) {
+      ours.position = theirs.position;
+    }
     tables_.landmarks.update(ours);
     if (ours.kind == LandmarkKind::candidate && theirs.kind == LandmarkKind::taught) {
       tables_.landmarks.rename(ours.id, ours.name, LandmarkKind::taught);
@@ -124,49 +170,87 @@ class Merger {
     return ours.id;
   }
 
-  void shift(Landmark& landmark) const {
-    landmark.history.first_s += shift_s_;
-    for (double& time_s : landmark.history.recent_s) time_s += shift_s_;
-    if (landmark.retired_s) *landmark.retired_s += shift_s_;
+  void join_histories(UseHistory& ours, const UseHistory& theirs) const {
+    std::int64_t new_uses = 0;
+    for (const double time_s : theirs.recent_s) {
+      if (!is_new(time_s)) continue;
+      ++new_uses;
+      ours.recent_s.push_back(our_time_s(time_s));
+    }
+    std::sort(ours.recent_s.begin(), ours.recent_s.end(), std::greater<>());
+    if (ours.recent_s.size() > UseHistory::kKept) ours.recent_s.resize(UseHistory::kKept);
+    // Of memories that have met before, only the uses whose time is known can be told apart.
+    ours.uses += known_before_.empty() ? theirs.uses : new_uses;
+    if (known_before_.empty()) ours.first_s = std::min(ours.first_s, our_time_s(theirs.first_s));
   }
 
-  void take_places() {
+  void shift(Landmark& landmark) const {
+    landmark.history.first_s = our_time_s(landmark.history.first_s);
+    for (double& time_s : landmark.history.recent_s) time_s = our_time_s(time_s);
+    if (landmark.retired_s) landmark.retired_s = our_time_s(*landmark.retired_s);
+  }
+
+  void take_routes() {
     for (Route route : other_.places.routes()) {
       route.from = landmarks_[route.from];
       route.to = landmarks_[route.to];
       if (route.from == route.to) continue;
       tables_.places.put(joined_with_ours(route));
     }
-    const std::vector<ObstacleCell> cells = other_.places.cells();
+  }
+
+  /// Where both have a map, theirs is put on ours by the landmarks that are on both.
+  void take_map() {
+    std::vector<ObstacleCell> cells = other_.places.cells();
+    Pose2 origin;
     if (has_map_) {
-      const std::vector<Landmark> theirs = other_.landmarks.all(true);
-      if (cells.empty() &&
-          std::none_of(theirs.begin(), theirs.end(), [](auto& one) { return one.position; })) {
+      const std::optional<Pose2> aligned = align_maps(common_);
+      if (!aligned) {
+        say_what_is_left_out(cells);
         return;
       }
-      merged_.remarks.emplace_back(
-          "positions and the obstacle grid of the other memory were left out: its map has another "
-          "origin");
-      return;
+      origin = *aligned;
     }
-    for (ObstacleCell cell : cells) {
-      cell.seen_s += shift_s_;
+    for (const auto& [name, at] : to_place_) {
+      const std::optional<Landmark> landmark = tables_.landmarks.find(name);
+      if (landmark) tables_.landmarks.set_position(landmark->id, on_our_map(origin, at));
+    }
+    std::set<std::pair<int, int>> ours;
+    for (const ObstacleCell& cell : tables_.places.cells()) ours.insert({cell.row, cell.column});
+    for (ObstacleCell& cell : cells) {
+      if (has_map_) move(cell, origin);
+      if (ours.contains({cell.row, cell.column})) continue;
+      cell.seen_s = our_time_s(cell.seen_s);
       tables_.places.put(cell);
     }
+  }
+
+  static void move(ObstacleCell& cell, const Pose2& origin) {
+    const Point2 middle = to_outer(
+        origin, Point2{(cell.column + 0.5) * kObstacleCell_m, (cell.row + 0.5) * kObstacleCell_m});
+    cell.column = static_cast<int>(std::floor(middle.x_m / kObstacleCell_m));
+    cell.row = static_cast<int>(std::floor(middle.y_m / kObstacleCell_m));
+  }
+
+  void say_what_is_left_out(const std::vector<ObstacleCell>& cells) {
+    if (to_place_.empty() && (cells.empty() || merged_.sessions == 0)) return;
+    merged_.remarks.push_back(fmt::format(
+        "{} positions and {} obstacle cells of the other memory were left out: its map has another "
+        "origin, and fewer than two landmarks lie on both maps alike",
+        to_place_.size(), cells.size()));
   }
 
   Route joined_with_ours(const Route& theirs) {
     for (Route ours : tables_.places.routes()) {
       if (ours.from != theirs.from || ours.to != theirs.to) continue;
-      if (theirs.distance_var_m2 < ours.distance_var_m2) {
-        Route better = theirs;
-        better.successes += ours.successes;
-        better.failures += ours.failures;
-        return better;
-      }
-      ours.successes += theirs.successes;
-      ours.failures += theirs.failures;
-      return ours;
+      Route joined = theirs.distance_var_m2 < ours.distance_var_m2 ? theirs : ours;
+      // Of memories that have met before, some drives are in both counts.
+      const bool strangers = known_before_.empty();
+      joined.successes = strangers ? ours.successes + theirs.successes
+                                   : std::max(ours.successes, theirs.successes);
+      joined.failures =
+          strangers ? ours.failures + theirs.failures : std::max(ours.failures, theirs.failures);
+      return joined;
     }
     return theirs;
   }
@@ -175,8 +259,11 @@ class Merger {
     std::vector<Episode> episodes = other_.sessions.episodes(-1);
     std::reverse(episodes.begin(), episodes.end());
     for (Episode episode : episodes) {
+      const bool known =
+          episode.session ? known_before_.contains(*episode.session) : !known_before_.empty();
+      if (known) continue;
+      episode.time_s = our_time_s(episode.time_s);
       if (episode.session) episode.session = sessions_[*episode.session];
-      episode.time_s += shift_s_;
       tables_.sessions.add(episode);
     }
   }
@@ -190,7 +277,11 @@ class Merger {
   Merged merged_;
   std::int64_t last_view_ = 0;  ///< of those that are ours
   bool has_map_ = false;
-  double shift_s_ = 0.0;
+  std::vector<Session> theirs_;                            ///< the oldest first
+  std::unordered_map<std::int64_t, double> known_before_;  ///< session -> shift of its time
+  double shift_s_ = 0.0;                                   ///< of the sessions that are new
+  std::vector<OnBothMaps> common_;
+  std::vector<std::pair<std::string, MapPosition>> to_place_;  ///< theirs, by our name
 };
 
 }  // namespace

@@ -12,7 +12,10 @@ constexpr double kMostLogOdds = 20.0;  ///< the table's bound
 }  // namespace
 
 PlaceTable::PlaceTable(SQLite::Database& database)
-    : put_route_(database, "INSERT OR REPLACE INTO route VALUES (?, ?, ?, ?, ?, ?, ?, ?)"),
+    : put_route_(database,
+                 "INSERT OR REPLACE INTO route SELECT ?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8 "
+                 "WHERE EXISTS (SELECT 1 FROM landmark WHERE id = ?1) "
+                 "AND EXISTS (SELECT 1 FROM landmark WHERE id = ?2)"),
       routes_(database,
               "SELECT from_landmark, to_landmark, distance_m, turn_rad, distance_var_m2, "
               "turn_var_rad2, successes, failures FROM route ORDER BY 1, 2"),

@@ -14,7 +14,8 @@ class PlaceTable {
  public:
   explicit PlaceTable(SQLite::Database& database);
 
-  /// Adds it, or puts it in the place of the one between the same landmarks.
+  /// Adds it, or puts it in the place of the one between the same landmarks. Nothing where one of
+  /// them is no more.
   void put(const Route& route);
   [[nodiscard]] std::vector<Route> routes();
   /// Adds it, or puts it in the place of the old one.

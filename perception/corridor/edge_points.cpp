@@ -1,8 +1,11 @@
 #include "perception/corridor/edge_points.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <opencv2/imgproc.hpp>
+#include <span>
 
 namespace striate {
 namespace {
@@ -26,22 +29,43 @@ Gradients differentiate(const cv::Mat1b& grey) {
   g.along_v = cv::Mat1f(grey.size(), 0.0F);
   g.magnitude = cv::Mat1f(grey.size(), 0.0F);
   for (int v = 1; v + 1 < grey.rows; ++v) {
+    const float* above = smooth[v - 1];
+    const float* here = smooth[v];
+    const float* below = smooth[v + 1];
+    float* along_u = g.along_u[v];
+    float* along_v = g.along_v[v];
+    float* magnitude = g.magnitude[v];
     for (int u = 1; u + 1 < grey.cols; ++u) {
-      const float du = 0.5F * (smooth(v, u + 1) - smooth(v, u - 1));
-      const float dv = 0.5F * (smooth(v + 1, u) - smooth(v - 1, u));
-      g.along_u(v, u) = du;
-      g.along_v(v, u) = dv;
-      g.magnitude(v, u) = std::sqrt(du * du + dv * dv);
+      const float du = 0.5F * (here[u + 1] - here[u - 1]);
+      const float dv = 0.5F * (below[u] - above[u]);
+      along_u[u] = du;
+      along_v[u] = dv;
+      magnitude[u] = std::sqrt(du * du + dv * dv);
     }
   }
   return g;
 }
 
+/// The upper median: floats that are not negative are ordered as their bits are, so the leading 16
+/// bits say among which few it lies.
+float median_of(const cv::Mat1f& magnitude) {
+  constexpr int kFineBits = 16;
+  const std::span<const float> values(magnitude.ptr<float>(), magnitude.total());
+  std::vector<int> counts(std::size_t{1} << 15, 0);
+  for (const float m : values) ++counts[std::bit_cast<std::uint32_t>(m) >> kFineBits];
+  auto before = static_cast<std::ptrdiff_t>(magnitude.total() / 2);
+  std::uint32_t bin = 0;
+  while (before >= counts[bin]) before -= counts[bin++];
+  std::vector<float> same;
+  for (const float m : values) {
+    if (std::bit_cast<std::uint32_t>(m) >> kFineBits == bin) same.push_back(m);
+  }
+  std::nth_element(same.begin(), same.begin() + before, same.end());
+  return same[before];
+}
+
 float threshold_of(const cv::Mat1f& magnitude) {
-  std::vector<float> values(magnitude.begin(), magnitude.end());
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return std::clamp(kOverMedian * *middle, kLeastGradient, kHighestFloor);
+  return std::clamp(kOverMedian * median_of(magnitude), kLeastGradient, kHighestFloor);
 }
 
 /// Direction of the strongest change around a pixel, as a unit vector.
@@ -79,8 +103,9 @@ std::vector<EdgePoint> find_edge_points(const cv::Mat1b& grey) {
   const Gradients g = differentiate(grey);
   const float threshold = threshold_of(g.magnitude);
   for (int v = 2; v + 3 < grey.rows; ++v) {
+    const float* magnitude = g.magnitude[v];
     for (int u = 2; u + 3 < grey.cols; ++u) {
-      const float here = g.magnitude(v, u);
+      const float here = magnitude[u];
       if (here < threshold) continue;
       const float nu = g.along_u(v, u) / here;
       const float nv = g.along_v(v, u) / here;

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
+#include <span>
+
+#include "perception/corridor/ray_of.hpp"
 
 namespace striate {
 namespace {
@@ -13,7 +15,6 @@ constexpr double kAngleError_rad = 0.06;  // of one edge point's orientation
 constexpr float kUpright = 0.975F;        // |normal_u| above: within 13 degrees of upright
 constexpr float kHorizonBand_px = 5.0F;   // edges so near the horizon cross it anywhere
 constexpr float kAligned = 0.10F;         // sine of the angle by which an edge may miss the point
-constexpr int kRays = 360;                // directions in which lines leave the point
 constexpr float kLongest_px = 45.0F;      // one line cannot count for more
 constexpr float kShortest_px = 8.0F;      // shorter is texture
 constexpr int kCandidates = 6;
@@ -59,22 +60,32 @@ std::vector<double> best_candidates(std::vector<double> votes, const VanishingSe
 
 using Rays = std::array<float, kRays>;
 
-int ray_of(float du, float dv) {
-  const double turn = std::atan2(dv, du) / (2.0 * std::numbers::pi) + 0.5;
-  return std::min(kRays - 1, static_cast<int>(turn * kRays));
-}
+/// An edge point that lies along a ray.
+struct Aligned {
+  const EdgePoint* edge = nullptr;
+  int ray = 0;
+};
 
-/// Length of aligned edge in every direction from (u, horizon).
-Rays cast_rays(const std::vector<EdgePoint>& edges, double u_px, double v_px) {
-  Rays rays{};
+/// The edges that point to (u, horizon), in their order, each with its ray from there.
+void find_aligned(const std::vector<EdgePoint>& edges, double u_px, double v_px,
+                  std::vector<Aligned>& aligned) {
+  aligned.clear();
+  const auto u = static_cast<float>(u_px);
+  const auto v = static_cast<float>(v_px);
   for (const EdgePoint& e : edges) {
-    const float du = e.u_px - static_cast<float>(u_px);
-    const float dv = e.v_px - static_cast<float>(v_px);
+    const float du = e.u_px - u;
+    const float dv = e.v_px - v;
     const float miss = du * e.normal_u + dv * e.normal_v;
     const float reach2 = du * du + dv * dv;
     if (miss * miss > kAligned * kAligned * reach2) continue;
-    rays[ray_of(du, dv)] += e.weight;
+    aligned.push_back({&e, ray_of(du, dv)});
   }
+}
+
+/// Length of aligned edge in every direction.
+Rays sum_rays(const std::vector<Aligned>& aligned) {
+  Rays rays{};
+  for (const Aligned& a : aligned) rays[a.ray] += a.edge->weight;
   return rays;
 }
 
@@ -87,10 +98,6 @@ double score_of(const Rays& rays) {
     if (length > kShortest_px) score += length * length;
   }
   return score;
-}
-
-double score_at(const std::vector<EdgePoint>& edges, const VanishingSearch& search, double u_px) {
-  return score_of(cast_rays(edges, u_px, search.horizon_v_px));
 }
 
 struct Line {
@@ -131,25 +138,38 @@ Line fit_line(const std::vector<const EdgePoint*>& points) {
   return line;
 }
 
-/// The long lines through a point: local maxima over the rays, each fitted to its edge points.
-std::vector<Line> lines_through(const std::vector<EdgePoint>& edges, double u_px, double v_px) {
-  const Rays rays = cast_rays(edges, u_px, v_px);
-  std::array<std::vector<const EdgePoint*>, kRays> members;
-  for (const EdgePoint& e : edges) {
-    const float du = e.u_px - static_cast<float>(u_px);
-    const float dv = e.v_px - static_cast<float>(v_px);
-    const float miss = du * e.normal_u + dv * e.normal_v;
-    if (miss * miss > kAligned * kAligned * (du * du + dv * dv)) continue;
-    members[ray_of(du, dv)].push_back(&e);
+/// The edge points of every ray, in their order.
+class RayMembers {
+ public:
+  explicit RayMembers(const std::vector<Aligned>& aligned) : points_(aligned.size()) {
+    for (const Aligned& a : aligned) ++starts_[a.ray + 1];
+    for (int r = 0; r < kRays; ++r) starts_[r + 1] += starts_[r];
+    std::array<int, kRays + 1> next = starts_;
+    for (const Aligned& a : aligned) points_[next[a.ray]++] = a.edge;
   }
+  [[nodiscard]] std::span<const EdgePoint* const> of(int ray) const {
+    return {points_.data() + starts_[ray], points_.data() + starts_[ray + 1]};
+  }
+
+ private:
+  std::array<int, kRays + 1> starts_{};
+  std::vector<const EdgePoint*> points_;
+};
+
+/// The long lines through a point: local maxima over the rays, each fitted to its edge points.
+std::vector<Line> lines_through(const std::vector<Aligned>& aligned) {
+  const Rays rays = sum_rays(aligned);
+  const RayMembers members(aligned);
   std::vector<Line> lines;
+  std::vector<const EdgePoint*> points;
   for (int r = 0; r < kRays; ++r) {
     const int before = (r + kRays - 1) % kRays;
     const int after = (r + 1) % kRays;
     if (rays[r] < rays[before] || rays[r] <= rays[after]) continue;
-    std::vector<const EdgePoint*> points = members[r];
-    points.insert(points.end(), members[before].begin(), members[before].end());
-    points.insert(points.end(), members[after].begin(), members[after].end());
+    points.clear();
+    for (const int ray : {r, before, after}) {
+      points.insert(points.end(), members.of(ray).begin(), members.of(ray).end());
+    }
     const Line line = fit_line(points);
     if (line.weight > 0.0) lines.push_back(line);
   }
@@ -195,8 +215,10 @@ VanishingPoint refine(const std::vector<EdgePoint>& voters, const VanishingSearc
                       double candidate_u_px) {
   VanishingPoint point;
   point.v_px = search.horizon_v_px;
+  std::vector<Aligned> aligned;
   for (double u = candidate_u_px - 4.0; u <= candidate_u_px + 4.0; u += 2.0) {
-    const double score = score_at(voters, search, u);
+    find_aligned(voters, u, search.horizon_v_px, aligned);
+    const double score = score_of(sum_rays(aligned));
     if (score > point.score) {
       point.score = score;
       point.u_px = u;
@@ -205,7 +227,8 @@ VanishingPoint refine(const std::vector<EdgePoint>& voters, const VanishingSearc
   if (point.score <= 0.0) point.u_px = candidate_u_px;
   std::vector<Line> lines;
   for (int round = 0; round < 2; ++round) {
-    lines = lines_through(voters, point.u_px, point.v_px);
+    find_aligned(voters, point.u_px, point.v_px, aligned);
+    lines = lines_through(aligned);
     if (lines.empty()) break;
     meet(lines, search.horizon_v_px, point);
   }

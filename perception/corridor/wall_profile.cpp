@@ -35,14 +35,21 @@ Cells window_cells(const Profile& profile, int bin) {
   return cells;
 }
 
+/// The lowest cell of every length of the corridor.
+Cells lowest_cells() {
+  Cells lowest;
+  for (int a = 0; a < kAlongCells; ++a) lowest.set(static_cast<std::size_t>(a) * kUpCells);
+  return lowest;
+}
+
+/// All nine cells above one another are gathered in the lowest of them, for all lengths at once.
 double length_along(const Cells& cells) {
-  int occupied = 0;
-  for (int a = 0; a < kAlongCells; ++a) {
-    bool any = false;
-    for (int z = 0; z < kUpCells; ++z) any = any || cells[a * kUpCells + z];
-    occupied += any;
-  }
-  return occupied * kAlongCell_m;
+  static_assert(kUpCells == 9);
+  static const Cells kLowest = lowest_cells();
+  const Cells pairs = cells | (cells >> 1);
+  const Cells fours = pairs | (pairs >> 2);
+  const Cells column = fours | (fours >> 4) | (cells >> 8);
+  return static_cast<double>((column & kLowest).count()) * kAlongCell_m;
 }
 
 /// `sides`: signed distances to the wall's side of the points, to find the wall's middle.

@@ -100,7 +100,11 @@ void Recogniser::begin(std::span<const Keypoint> keypoints) {
   found_.clear();
   looked_at_ = 0;
   queries_.clear();
-  for (const Keypoint& point : keypoints) queries_.push_back(point.descriptor);
+  finest_px_ = std::numeric_limits<double>::infinity();
+  for (const Keypoint& point : keypoints) {
+    queries_.push_back(point.descriptor);
+    finest_px_ = std::min(finest_px_, point.wavelength_px);
+  }
 }
 
 void Recogniser::look_for(int number, std::span<const Keypoint> keypoints) {
@@ -148,12 +152,23 @@ bool Recogniser::find_pose(const View& view, std::span<const Keypoint> keypoints
   if (pairs_.size() < static_cast<std::size_t>(settings_.least_inliers)) return false;
   const Consensus consensus = consensus_.find(pairs_, view.width_px, view.height_px);
   if (consensus.inliers < settings_.least_inliers) return false;
+  if (std::abs(consensus.pose.angle_rad()) > settings_.most_turn_rad) return false;
+  if (share_of_visible(view, consensus) < settings_.least_share) return false;
   found.inliers = consensus.inliers;
   found.matched_fraction = consensus.inliers / static_cast<double>(view.store.size());
   found.score =
       consensus.inliers / static_cast<double>(consensus.inliers + settings_.least_inliers);
   write_pose(consensus.pose, view.width_px, view.height_px, found);
   return true;
+}
+
+/// From afar only the coarse keypoints of a view can be seen: of them, the share that agrees.
+double Recogniser::share_of_visible(const View& view, const Consensus& consensus) const {
+  constexpr double kAboutAsLarge = 0.9;
+  const double least_px = kAboutAsLarge * finest_px_ / consensus.pose.scale();
+  const auto visible =
+      std::ranges::count_if(view.places, [&](const Place& p) { return p.size_px >= least_px; });
+  return consensus.inliers / std::max(1.0, static_cast<double>(visible));
 }
 
 /// The nearest keypoint of a view, if another place of the view is not nearly as near.

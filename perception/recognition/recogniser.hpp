@@ -67,6 +67,7 @@ class Recogniser {
                                          Recognition& found);
   [[nodiscard]] bool find_pose(const View& view, std::span<const Keypoint> keypoints,
                                Recognition& found);
+  [[nodiscard]] double share_of_visible(const View& view, const Consensus& consensus) const;
   void add_pair(const View& view, const Keypoint& keypoint, std::span<const Match> matches);
   void keep(const Recognition& recognition);
   const std::vector<Recognition>& sorted();
@@ -74,6 +75,7 @@ class Recogniser {
   RecognitionSettings settings_;
   std::vector<View> views_;
   std::size_t in_use_ = 0, looked_at_ = 0;
+  double finest_px_ = 0.0;  ///< least size of the picture's keypoints
   HammingSearch search_;
   ConsensusFinder consensus_;
   std::vector<Descriptor> queries_;

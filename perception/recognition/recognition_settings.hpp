@@ -18,6 +18,8 @@ struct RecognitionSettings {
   double fit_tolerance = 0.04;   ///< of the view's side, when the pose is fitted
   double most_stretch = 2.5;     ///< how much longer one direction may be drawn than the other
   double least_scale = 0.15;     ///< of the view in the picture; its inverse is the largest
+  double least_share = 0.0;      ///< of a view's keypoints that are large enough at that scale
+  double most_turn_rad = 3.2;    ///< how far the view may be turned in the picture; pi: any way
 };
 
 template <class V>
@@ -39,6 +41,10 @@ void visit(V& v, RecognitionSettings& s) {
            "how much longer one direction may be drawn than the other");
   v.number("least_scale", s.least_scale, Unit::none, {0.01, 1.0},
            "smallest scale of a view; its inverse is the largest");
+  v.number("least_share", s.least_share, Unit::fraction, {0.0, 1.0},
+           "of a view's keypoints, those large enough to be seen at its scale, that must agree");
+  v.number("most_turn", s.most_turn_rad, Unit::angle, {0.0, 3.2},
+           "how far a view may be turned in the picture");
 }
 
 }  // namespace striate

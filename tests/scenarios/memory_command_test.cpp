@@ -197,6 +197,10 @@ TEST(MemoryCommand, DrawsTheMapOfTheGoldenMemory) {
   EXPECT_EQ(memory_json(file, {"map"}).at("routes").size(), 1U);
   const std::string picture = folder / "map.png";
   EXPECT_EQ(memory(file, {"map", "--picture", picture}).exit_code, 0);
+  const std::string drawing = folder / "map.svg";
+  EXPECT_EQ(memory(file, {"map", "--picture", drawing}).exit_code, 0);
+  EXPECT_THAT(read_text(drawing),
+              AllOf(HasSubstr("<svg"), HasSubstr(">book</text>"), HasSubstr("</svg>")));
   EXPECT_FALSE(cv::imread(picture).empty());
   // Nobody's file is hurt by a mistake: a foreign one is refused by every verb that writes.
   const std::string foreign = folder / "other.db";

@@ -164,7 +164,7 @@ TEST(ServedDevices, TheCorridorMissionIsDrivenThroughTheDriversOfARealRobot) {
   served.write_robot_file(folder / "robot.yaml");
   const Ended ended =
       striate({"run", "config/tasks/corridor.yaml", "--robot", folder / "robot.yaml", "--var",
-               "way=11.3 m", "--result", folder / "r.json"});
+               "way=11.3 m", "--result", folder / "r.json", "--memory", folder / "robot.db"});
   EXPECT_EQ(ended.exit_code, 0) << ended.err << ended.out;
   const ServedState state = served.state();
   EXPECT_TRUE(state.beyond_goal);
@@ -173,6 +173,8 @@ TEST(ServedDevices, TheCorridorMissionIsDrivenThroughTheDriversOfARealRobot) {
   const auto result = nlohmann::json::parse(read_text(folder / "r.json"));
   EXPECT_EQ(result.at("outcome"), "success");
   EXPECT_NEAR(result.at("distance_m").get<double>(), 11.5, 1.0);
+  const Ended episodes = striate({"memory", folder / "robot.db", "episodes"});
+  EXPECT_THAT(episodes.out, testing::HasSubstr("success")) << episodes.err;
 }
 
 TEST(ServedDevices, TheMissionStandsWhileTheCameraIsBlind) {

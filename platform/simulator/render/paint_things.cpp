@@ -30,6 +30,9 @@ cv::Mat3b book_blue() {
 cv::Mat3b book_green() {
   return cover(Scalar(70, 130, 40), Scalar(240, 240, 230), "VISION", 13);
 }
+cv::Mat3b book_orange() {
+  return cover(Scalar(30, 110, 220), Scalar(225, 235, 240), "CORNER", 14);
+}
 
 cv::Mat3b packet(const Scalar& ground, const char* name, std::uint32_t seed) {
   cv::Mat3b p = sheet(384, 256, ground);
@@ -51,13 +54,22 @@ cv::Mat3b box_biscuits() {
 cv::Mat3b box_soap() {
   return packet(Scalar(200, 150, 60), "S O A P", 23);
 }
+cv::Mat3b box_cocoa() {
+  return packet(Scalar(50, 70, 120), "COCOA 5", 24);
+}
 
-cv::Mat3b cup_dots() {
-  cv::Mat3b p = sheet(512, 192, Scalar(225, 228, 230));
-  Brush brush(p, 31);
+cv::Mat3b dots(const Scalar& ground, std::uint32_t seed) {
+  cv::Mat3b p = sheet(512, 192, ground);
+  Brush brush(p, seed);
   for (int i = 0; i < 46; ++i)
     cv::circle(p, brush.place(), brush.draw(7, 20), brush.colour(), cv::FILLED, cv::LINE_AA);
   return p;
+}
+cv::Mat3b cup_dots() {
+  return dots(Scalar(225, 228, 230), 31);
+}
+cv::Mat3b cup_spots() {
+  return dots(Scalar(150, 215, 230), 32);
 }
 cv::Mat3b cup_stripes() {
   cv::Mat3b p = sheet(512, 192, Scalar(60, 70, 190));
@@ -100,9 +112,10 @@ const std::vector<Picture>& pictures() {
   static const std::vector<Picture> all = [] {
     std::vector<Picture> both = posters();
     const std::vector<Picture> things{
-        {"book_red", book_red}, {"book_blue", book_blue},       {"book_green", book_green},
-        {"box_tea", box_tea},   {"box_biscuits", box_biscuits}, {"box_soap", box_soap},
-        {"cup_dots", cup_dots}, {"cup_stripes", cup_stripes},   {"cardboard", cardboard},
+        {"book_red", book_red},       {"book_blue", book_blue},       {"book_green", book_green},
+        {"box_tea", box_tea},         {"box_biscuits", box_biscuits}, {"box_soap", box_soap},
+        {"cup_dots", cup_dots},       {"cup_stripes", cup_stripes},   {"cardboard", cardboard},
+        {"book_orange", book_orange}, {"box_cocoa", box_cocoa},       {"cup_spots", cup_spots},
     };
     both.insert(both.end(), things.begin(), things.end());
     return both;

@@ -53,6 +53,21 @@ TEST(TrialTable, CountsSuccessesAndCausesByWorld) {
   EXPECT_THAT(table, HasSubstr("1 x touched table, still, in the dark"));
 }
 
+TEST(TrialTable, GivesABaselineRowsOfItsOwn) {
+  RunResult other = run("corridor_a", 1, false);
+  other.baseline = "sgbm";
+  RunResult other_b = run("corridor_b", 1, true);
+  other_b.baseline = "sgbm";
+  const std::vector<RunResult> all = {run("corridor_a", 1, true), run("corridor_b", 1, true), other,
+                                      other_b};
+  const std::string table = trial_table(all);
+  EXPECT_THAT(table, HasSubstr("| corridor_a | 1 / 1 |"));
+  EXPECT_THAT(table, HasSubstr("| corridor_a, sgbm | 0 / 1 |"));
+  EXPECT_THAT(table, HasSubstr("| all | 2 / 2 |"));
+  EXPECT_THAT(table, HasSubstr("| all, sgbm | 1 / 2 |"));
+  EXPECT_THAT(replay_commands(all, ""), HasSubstr("--baseline sgbm"));
+}
+
 TEST(TrialTable, GivesACommandThatRepeatsEachFailedRun) {
   RunResult failed = run("corridor_a", 2, false);
   failed.emergency_layer = false;

@@ -115,11 +115,11 @@ TEST_F(Limiter, SlowsInTheApproachZoneAndStopsBeforeAnEcho) {
   settle(0.45, 0.0);
   echo(0.0, 1.3);
   EXPECT_NEAR(cycle(0.45, 0.0).forward_m_s, 0.45, 1e-6);
-  echo(0.0, 0.21 + 0.10 + 0.30);
+  echo(0.0, 0.21 + 0.04 + 0.30);
   const double slowed = cycle(0.45, 0.0).forward_m_s;
   EXPECT_LT(slowed, 0.35);
   EXPECT_GT(slowed, 0.1);
-  echo(0.0, 0.21 + 0.09);
+  echo(0.0, 0.21 + 0.03);
   EXPECT_EQ(cycle(0.45, 0.0).forward_m_s, 0.0);
   EXPECT_EQ(limiter.reason(), LimitReason::emergency_range);
 }

@@ -41,6 +41,21 @@ TEST(BlankView, NeedsTheWholeViewToBeBlankForSeveralPicturesInARow) {
   EXPECT_EQ(ahead(grid, 0.6), FloorState::unknown);
 }
 
+/// A dark wall close by: noise matches in a fifth of the columns, at any distance.
+TEST(BlankView, WhatNoiseMatchesInTheDarkIsNotSeen) {
+  LocalGrid grid;
+  BlankView view;
+  for (int i = 1; i < 8; ++i) {
+    Percept percept = looks::blank_percept(100 * i);
+    for (std::size_t u = static_cast<std::size_t>(i); u < percept.columns.size(); u += 5) {
+      percept.columns[u].obstacle_m = 1.2 + 0.05 * static_cast<double>(u % 40);
+      percept.columns[u].obstacle_confidence = 0.5;
+    }
+    view.see(percept, {}, grid);
+  }
+  EXPECT_EQ(ahead(grid, 0.6), FloorState::occupied);
+}
+
 TEST(BlankView, FarToTheSideIsTheWallThatIsDrivenAlong) {
   LocalGrid grid;
   BlankView view;

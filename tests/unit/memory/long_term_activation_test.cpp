@@ -118,13 +118,25 @@ TEST(Learning, AnotherPlaceIsAnotherUseAndTheSamePlaceIsNot) {
 
 TEST(Learning, ThreeFramesInARowAreOneMissedOpportunity) {
   Learning learning({});
-  EXPECT_FALSE(learning.missed(1));
-  EXPECT_FALSE(learning.missed(1));
-  EXPECT_TRUE(learning.missed(1));
-  EXPECT_FALSE(learning.missed(1));
-  EXPECT_FALSE(learning.missed(1));
-  (void)learning.seen(1, {0.0, 0.0});
-  EXPECT_FALSE(learning.missed(1));
+  const Point2 here{0.0, 0.0};
+  EXPECT_FALSE(learning.missed(1, here));
+  EXPECT_FALSE(learning.missed(1, here));
+  EXPECT_TRUE(learning.missed(1, here));
+  const Point2 there{1.0, 0.0};
+  EXPECT_FALSE(learning.missed(1, there));
+  EXPECT_FALSE(learning.missed(1, there));
+  learning.found(1);
+  EXPECT_FALSE(learning.missed(1, there)) << "the row was broken";
+}
+
+TEST(Learning, MissedAgainFromTheSamePlaceIsTheSameMiss) {
+  Learning learning({.missed_frames = 1});
+  EXPECT_TRUE(learning.missed(1, {0.0, 0.0}));
+  EXPECT_FALSE(learning.missed(1, {0.1, 0.0}));
+  EXPECT_TRUE(learning.missed(1, {0.6, 0.0}));
+  EXPECT_FALSE(learning.missed(1, {0.7, 0.0}));
+  (void)learning.seen(1, {0.7, 0.0});
+  EXPECT_TRUE(learning.missed(1, {0.7, 0.0})) << "it was there in between";
 }
 
 }  // namespace

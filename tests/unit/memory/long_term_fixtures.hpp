@@ -65,8 +65,8 @@ struct Opened {
 /// A landmark with one view, as taught in a session of its own.
 inline void add_landmark(MemoryTables& tables, const std::string& name, unsigned seed,
                          int keypoints = 50) {
-  const Session session =
-      tables.sessions.begin(SessionKind::teach, "striate test", name, 1700000000);
+  const Session session = tables.sessions.begin(SessionKind::teach, "striate test",
+                                                name + " " + std::to_string(seed), 1700000000);
   Landmark landmark;
   landmark.session = session.id;
   landmark.name = name;

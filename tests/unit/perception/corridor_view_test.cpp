@@ -3,8 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 #include <opencv2/imgproc.hpp>
 
+#include "perception/corridor/edge_points.hpp"
+#include "perception/corridor/ray_of.hpp"
 #include "perception/corridor/upright_plane.hpp"
 #include "perception/corridor/vanishing_point.hpp"
 #include "perception/corridor/wall_profile.hpp"
@@ -140,6 +143,27 @@ TEST(WallCompletion, LeavesOpenWhatStereoSeesThrough) {
   for (int u = 0; u < 160; ++u) columns[u].bearing_rad = std::atan((79.5 - u) / 203.0);
   complete_with_walls(columns, corridor, map, ViewGeometry(map, {}, {}));
   EXPECT_EQ(columns[5].obstacle_m, kNothing_m);
+}
+
+int ray_by_arc_tangent(float du, float dv) {
+  const double turn = std::atan2(dv, du) / (2.0 * std::numbers::pi) + 0.5;
+  return std::min(kRays - 1, static_cast<int>(turn * kRays));
+}
+
+TEST(VanishingPoint, RaysAreThoseOfTheArcTangent) {
+  for (const float reach_px : {0.03F, 1.0F, 7.3F, 160.0F, 4000.0F}) {
+    for (int i = -200'000; i <= 200'000; ++i) {
+      const double angle = i * std::numbers::pi / 180'000;  // the borders of the rays among them
+      const float du = reach_px * static_cast<float>(std::cos(angle));
+      const float dv = reach_px * static_cast<float>(std::sin(angle));
+      ASSERT_EQ(ray_of(du, dv), ray_by_arc_tangent(du, dv)) << du << " " << dv;
+    }
+  }
+  for (const float du : {-2.0F, -0.0F, 0.0F, 2.0F}) {
+    for (const float dv : {-2.0F, -0.0F, 0.0F, 2.0F}) {
+      EXPECT_EQ(ray_of(du, dv), ray_by_arc_tangent(du, dv)) << du << " " << dv;
+    }
+  }
 }
 
 }  // namespace

@@ -227,6 +227,22 @@ TEST(Recogniser, RefusesSettingsOutOfRange) {
   EXPECT_THROW(Recogniser{settings}, UserError);
 }
 
+TEST(Recogniser, MayAskForAnUprightViewAndForAShareOfWhatCanBeSeen) {
+  RecognitionSettings upright;
+  upright.most_turn_rad = 0.8;
+  Recogniser recogniser = taught({11}, upright);
+  EXPECT_EQ(recogniser.recognise(keypoints_of(scene_with(11, 20.0, 0.7))).size(), 1U);
+  EXPECT_TRUE(recogniser.recognise(keypoints_of(scene_with(11, 140.0, 0.7))).empty());
+  cv::Mat1b scene = scene_with(11, 0.0, 1.0);
+  RecognitionSettings share;
+  share.least_share = 0.12;
+  EXPECT_EQ(taught({11}, share).recognise(keypoints_of(scene)).size(), 1U);
+  EXPECT_EQ(taught({11}, share).recognise(keypoints_of(scene_with(11, 0.0, 0.5))).size(), 1U);
+  share.least_share = 0.95;
+  scene(cv::Rect(320, 0, 320, 480)).setTo(90);  // half of it is hidden
+  EXPECT_TRUE(taught({11}, share).recognise(keypoints_of(scene)).empty());
+}
+
 TEST(LandmarkView, HoldsTheKeypointsOfItsRegionOnly) {
   const cv::Mat1b picture = scene_with(11, 0.0, 1.0);
   const cv::Rect region(200, 150, 240, 180);

@@ -1,0 +1,96 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "memory/long_term/activation.hpp"
+#include "memory/long_term/learning.hpp"
+#include "memory/long_term/long_term_settings.hpp"
+#include "memory/short_term_memory.hpp"
+#include "perception/recognition/landmark_finder.hpp"
+
+namespace striate {
+
+/// A landmark with the views by which it is recognised.
+struct LandmarkModel {
+  Landmark record;
+  std::vector<LandmarkView> views;
+};
+
+/// What long-term memory knows when a mission starts; read once, from then on held in RAM.
+struct LandmarkKnowledge {
+  std::vector<LandmarkModel> landmarks;
+  std::vector<Route> routes;
+  double operating_start_s = 0.0;  ///< operating time when the mission starts
+};
+
+/// What a look has taught about a landmark; to be kept by who writes the long-term memory.
+struct LandmarkLesson {
+  enum class Kind { recognised, missed };
+  Kind kind = Kind::recognised;
+  std::int64_t landmark = 0;
+  std::string_view name;     ///< valid as long as the FamiliarLandmarks
+  double bearing_rad = 0.0;  ///< recognised: robot frame; missed: 0
+  double distance_m = 0.0;   ///< recognised: kNothing_m where unknown; missed: 0
+};
+
+/// The landmarks of long-term memory at work: says in which order and where they are looked for,
+/// names what was recognised, and decides what a look teaches. Touches no disk.
+class FamiliarLandmarks {
+ public:
+  /// Knows nothing and costs nothing.
+  FamiliarLandmarks() = default;
+  FamiliarLandmarks(LandmarkKnowledge knowledge, const LongTermSettings& settings);
+
+  /// Hands all views to the finder. Once, before the first picture.
+  void hand_over(LandmarkFinder& finder);
+  /// The landmark that the task is after: it comes to mind first. "" or an unknown one: none.
+  void seek(std::string_view name);
+  /// Before a picture is looked at: views by activation, and where landmarks are expected.
+  /// @param at the robot when the picture was taken, odometry frame
+  void guide(const ShortTermMemory& memory, const Pose2& at, LandmarkFinder& finder);
+
+  /// What was recognised in a picture, by name; nothing when the picture was named before. Valid
+  /// until the next call.
+  [[nodiscard]] const std::vector<LandmarkSighting>& name(const Percept& percept);
+  /// What the picture that was named last teaches, after short-term memory took its sightings in: a
+  /// sighting that is confirmed and new makes a landmark stronger, one missed again and again makes
+  /// it weaker. Nothing when it has taught before. Valid until the next call.
+  [[nodiscard]] const std::vector<LandmarkLesson>& learn(const Percept& percept,
+                                                         const ShortTermMemory& memory);
+
+  [[nodiscard]] std::size_t size() const { return known_.size(); }
+
+ private:
+  struct Known {
+    Landmark record;
+    std::vector<LandmarkView> views;  ///< until they are handed over
+    std::vector<int> numbers;         ///< of its views, as the finder calls them
+    double activation = 0.0;
+    std::optional<double> height_m;  ///< of its middle, when it was seen last in this run
+  };
+
+  void order_by_activation(const ShortTermMemory& memory, LandmarkFinder& finder);
+
+  LongTermSettings settings_;
+  std::vector<Known> known_;
+  std::vector<Route> routes_;
+  double operating_start_s_ = 0.0;
+  std::int64_t goal_ = 0;
+  std::optional<Learning> learning_;
+  std::optional<TimePoint> ordered_;
+  std::optional<TimePoint> named_;  ///< the picture
+  bool to_learn_ = false;           ///< from it
+  Situation situation_;
+  std::vector<std::size_t> by_activation_;
+  std::vector<int> order_;
+  std::vector<LandmarkExpectation> expected_;
+  std::vector<LandmarkSighting> sightings_;
+  std::vector<LandmarkLesson> lessons_;
+};
+
+}  // namespace striate

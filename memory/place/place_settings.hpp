@@ -1,0 +1,63 @@
+#pragma once
+
+#include "config/settings.hpp"
+
+namespace striate {
+
+/// How the robot's place and those of the landmarks are estimated together. Errors are standard
+/// deviations. Ours: the papers give none.
+struct PlaceSettings {
+  // Odometry: scales and a drift that stay the same over a run, and what is random.
+  double way_error = 0.0075;
+  double turn_error = 0.0075;
+  double drift_rad_m = 0.0005;
+  double slip_m_root_m = 0.003;
+  double slip_rad_root_m = 0.0015;
+  // Sightings.
+  double bearing_error_rad = 0.01;
+  double disparity_error_px = 0.5;
+  double disparity_metre_px = 24.4;
+  double middle_error_m = 0.05;
+  double gate = 13.8;
+  double new_look_after_m = 0.2;
+  double new_look_after_rad = 0.1;
+  // Where a run starts.
+  bool starts_at_home = true;
+  double start_error_m = 0.3;
+  double start_error_rad = 0.1;
+  // Routes.
+  double pass_within_m = 3.0;
+};
+
+template <class V>
+void visit(V& v, PlaceSettings& s) {
+  using config::Unit;
+  v.number("way_error", s.way_error, Unit::fraction, {0, 0.2}, "of the odometry's scale of ways");
+  v.number("turn_error", s.turn_error, Unit::fraction, {0, 0.2},
+           "of the odometry's scale of turns");
+  v.number("drift", s.drift_rad_m, Unit::angle, {0, 0.1}, "turn that each metre seems to make");
+  v.number("slip_way", s.slip_m_root_m, Unit::length, {0.0001, 1}, "random, after one metre");
+  v.number("slip_turn", s.slip_rad_root_m, Unit::angle, {0.0001, 1}, "random, after one metre");
+  v.number("bearing_error", s.bearing_error_rad, Unit::angle, {0.0005, 0.5},
+           "of a landmark's bearing by one look");
+  v.number("disparity_error", s.disparity_error_px, Unit::pixels, {0.01, 10},
+           "of a landmark's disparity: the error of its range grows with the square of the range");
+  v.number("disparity_metre", s.disparity_metre_px, Unit::none, {1, 1000},
+           "focal length in px times baseline in m: range = this / disparity");
+  v.number("middle_error", s.middle_error_m, Unit::length, {0, 1},
+           "of what is taken for a landmark's middle");
+  v.number("gate", s.gate, Unit::none, {1, 100},
+           "squared Mahalanobis distance above which a sighting is another thing");
+  v.number("new_look_after", s.new_look_after_m, Unit::length, {0, 10},
+           "way after which a look at the same landmark is a new witness");
+  v.number("new_look_after_turn", s.new_look_after_rad, Unit::angle, {0, 3},
+           "or turn after which it is");
+  v.flag("starts_at_home", s.starts_at_home,
+         "missions start where the first one did; given up when the first landmark contradicts");
+  v.number("start_error", s.start_error_m, Unit::length, {0.001, 10}, "of the place of that start");
+  v.number("start_error_heading", s.start_error_rad, Unit::angle, {0.001, 1}, "of its heading");
+  v.number("pass_within", s.pass_within_m, Unit::length, {0.5, 20},
+           "a landmark passed no farther away than this is a station of a route");
+}
+
+}  // namespace striate

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace striate {
+
+constexpr int kRays = 360;  ///< directions in which lines leave a point
+
+/// The ray in which (du, dv) points, 0 .. kRays - 1: 0 begins at -u and they go round by one
+/// degree. A short polynomial says it but near the border of two rays, where the arc tangent is
+/// asked: the result is the arc tangent's everywhere (unit test), at a fifth of the time.
+[[nodiscard]] inline int ray_of(float du, float dv) {
+  const float u = std::abs(du);
+  const float v = std::abs(dv);
+  const float slope = std::min(u, v) / std::max(u, v);  // not a number at the origin: asked
+  const float s = slope * slope;
+  // Error below 0.0004 rad: 0.023 rays.
+  float angle = ((-0.0464964749F * s + 0.15931422F) * s - 0.327622764F) * s * slope + slope;
+  constexpr auto kHalf = static_cast<float>(0.5 * std::numbers::pi);
+  constexpr auto kWhole = static_cast<float>(std::numbers::pi);
+  if (v > u) angle = kHalf - angle;
+  if (du < 0.0F) angle = kWhole - angle;
+  if (dv < 0.0F) angle = -angle;
+  constexpr float kRaysPerRad = kRays * 0.5F * std::numbers::inv_pi_v<float>;
+  const float ray = angle * kRaysPerRad + 0.5F * kRays;
+  constexpr float kBorder = 0.05F;
+  const auto whole = static_cast<float>(static_cast<int>(std::min(2.0F * kRays, ray)));
+  if (ray > whole + kBorder && ray < whole + 1.0F - kBorder) return static_cast<int>(whole);
+  const double turn = std::atan2(dv, du) / (2.0 * std::numbers::pi) + 0.5;
+  return std::min(kRays - 1, static_cast<int>(turn * kRays));
+}
+
+}  // namespace striate

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "perception/recognition/recognition_settings.hpp"
+
+namespace striate {
+
+/// How landmarks are looked for in the cycle. The budget counts views and windows, not time, so
+/// that the same pictures give the same recognitions on any machine.
+struct LandmarkFinderSettings {
+  int every = 2;              ///< pictures; in between nothing is looked for
+  int most_windows = 5;       ///< parts of a picture that are looked at
+  double margin = 0.25;       ///< of a salient region's side, added on each side
+  int most_views = 400;       ///< that a picture is compared with, the most active first
+  double most_time_s = 0.0;   ///< of comparing; 0: no limit
+  double farthest_m = 2.5;    ///< beyond it a landmark is not expected to be recognised
+  double least_light = 0.12;  ///< mean grey below which nothing is expected to be recognised
+  double hidden_by_m = 0.5;   ///< what is nearer by so much hides
+  /// The head does not roll and things stand, so a view is not turned much; and what has but a
+  /// label in common with a view is another thing.
+  RecognitionSettings matching{.least_share = 0.12, .most_turn_rad = 0.785};
+};
+
+template <class V>
+void visit(V& v, LandmarkFinderSettings& s) {
+  using config::Unit;
+  v.integer("every", s.every, {1, 100}, "landmarks are looked for in every n-th picture");
+  v.integer("most_windows", s.most_windows, {1, 20}, "parts of a picture that are looked at");
+  v.number("margin", s.margin, Unit::fraction, {0.0, 2.0},
+           "of a salient region's side, added on each side");
+  v.integer("most_views", s.most_views, {1, 10000000},
+            "views that a picture is compared with, the most active first");
+  v.number("most_time", s.most_time_s, Unit::duration, {0.0, 10.0},
+           "of comparing in one picture; 0: no limit. Runs are then not the same on all machines");
+  v.number("farthest", s.farthest_m, Unit::length, {0.5, 20.0},
+           "beyond it a landmark is not expected to be recognised");
+  v.number("least_light", s.least_light, Unit::fraction, {0.0, 1.0},
+           "in a darker picture nothing is expected to be recognised");
+  v.number("hidden_by", s.hidden_by_m, Unit::length, {0.05, 5.0},
+           "what is nearer than the landmark by so much hides it");
+  v.section("matching", s.matching);
+}
+
+}  // namespace striate

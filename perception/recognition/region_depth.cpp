@@ -1,0 +1,31 @@
+#include "perception/recognition/region_depth.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace striate {
+
+double median_disparity_px(const DisparityMap& map, const cv::Rect2d& box,
+                           std::vector<float>& buffer) {
+  const cv::Mat1f& disparity = map.disparity_px;
+  const int left = std::max(0, static_cast<int>(std::lround(box.x)));
+  const int top = std::max(0, static_cast<int>(std::lround(box.y)));
+  const int right = std::min(disparity.cols, static_cast<int>(std::lround(box.x + box.width)) + 1);
+  const int bottom =
+      std::min(disparity.rows, static_cast<int>(std::lround(box.y + box.height)) + 1);
+  if (left >= right || top >= bottom) return 0.0;
+  buffer.clear();
+  for (int v = top; v < bottom; ++v) {
+    for (int u = left; u < right; ++u) {
+      const float d = disparity(v, u);
+      if (std::isfinite(d) && d > 0.0F) buffer.push_back(d);
+    }
+  }
+  const auto area = static_cast<std::size_t>((right - left) * (bottom - top));
+  if (buffer.empty() || buffer.size() * 10 < area) return 0.0;
+  const auto middle = buffer.begin() + static_cast<std::ptrdiff_t>(buffer.size() / 2);
+  std::nth_element(buffer.begin(), middle, buffer.end());
+  return *middle;
+}
+
+}  // namespace striate

@@ -1,0 +1,124 @@
+#include "memory/familiar_landmarks.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/reference/looks.hpp"
+
+namespace striate {
+namespace {
+
+using looks::at_ms;
+using looks::blank_percept;
+using looks::senses_at;
+
+/// A landmark that was used so many seconds of operating time before 1000 s.
+LandmarkModel model(std::int64_t id, const std::string& name, double used_before_s) {
+  LandmarkModel model;
+  model.record.id = id;
+  model.record.name = name;
+  model.record.history = {1, 1000.0 - used_before_s, {1000.0 - used_before_s}};
+  LandmarkView view;
+  view.width_px = view.height_px = 20.0;
+  view.descriptors.resize(1);
+  view.keypoints.push_back({10.0F, 10.0F, 4.0F, 0.0F});
+  model.views = {view};
+  return model;
+}
+
+/// A robot that stands and looks ahead ten times a second.
+class Looking {
+ public:
+  explicit Looking(std::vector<LandmarkModel> models)
+      : landmarks_({std::move(models), {}, 1000.0}, {}) {
+    landmarks_.hand_over(finder_);
+  }
+
+  /// One cycle with a picture in which these were recognised, 2 m ahead.
+  const std::vector<LandmarkLesson>& cycle(const std::vector<int>& recognised,
+                                           const std::vector<ExpectedLook>& expected = {}) {
+    ms_ += 100;
+    Percept percept = blank_percept(ms_);
+    for (const int landmark : recognised) {
+      Recognition found{.landmark = landmark, .score = 0.7};
+      found.bearing_rad = 0.0;
+      found.distance_m = 2.0;
+      found.height_m = 0.9;
+      percept.recognitions.push_back(found);
+    }
+    percept.expected = expected;
+    landmarks_.guide(memory_, pose_, finder_);
+    memory_.update(senses_at(ms_, pose_), percept);
+    sightings_ = landmarks_.name(percept);
+    for (const LandmarkSighting& sighting : sightings_) memory_.recognise(sighting);
+    const auto& lessons = landmarks_.learn(percept, memory_);
+    EXPECT_TRUE(landmarks_.name(percept).empty()) << "a picture is named once";
+    return lessons;
+  }
+  void stand_at(double x_m) { pose_.x_m = x_m; }
+
+  LandmarkFinder finder_{LandmarkFinderSettings{}};
+  ShortTermMemory memory_{{}, {}};
+  FamiliarLandmarks landmarks_;
+  std::vector<LandmarkSighting> sightings_;
+
+ private:
+  Pose2 pose_;
+  int ms_ = 0;
+};
+
+TEST(FamiliarLandmarks, NamesWhatWasRecognised) {
+  Looking robot({model(7, "book", 10.0), model(9, "cup", 20.0)});
+  robot.cycle({1});
+  ASSERT_EQ(robot.sightings_.size(), 1U);
+  EXPECT_EQ(robot.sightings_[0].landmark, 9);
+  EXPECT_EQ(robot.sightings_[0].name, "cup");
+  ASSERT_NE(robot.memory_.landmarks().find("cup"), nullptr);
+  EXPECT_NEAR(robot.memory_.landmarks().find("cup")->place.x_m, 2.0, 1e-9);
+}
+
+TEST(FamiliarLandmarks, ASightingTeachesOnceItIsConfirmedAndAgainFromAnotherPlace) {
+  Looking robot({model(7, "book", 10.0)});
+  EXPECT_TRUE(robot.cycle({0}).empty());
+  EXPECT_TRUE(robot.cycle({0}).empty());
+  ASSERT_EQ(robot.cycle({0}).size(), 1U);
+  EXPECT_TRUE(robot.cycle({0}).empty()) << "the same place";
+  robot.stand_at(0.6);
+  const auto& lessons = robot.cycle({0});
+  ASSERT_EQ(lessons.size(), 1U);
+  EXPECT_EQ(lessons[0].kind, LandmarkLesson::Kind::recognised);
+  EXPECT_EQ(lessons[0].name, "book");
+}
+
+TEST(FamiliarLandmarks, ThreeMissesInARowAreALessonHiddenOnesAreNone) {
+  Looking robot({model(7, "book", 10.0)});
+  const std::vector<ExpectedLook> missed = {{0, LookResult::missed}};
+  for (int k = 0; k < 9; ++k) EXPECT_TRUE(robot.cycle({}, {{0, LookResult::hidden}}).empty());
+  EXPECT_TRUE(robot.cycle({}, missed).empty());
+  EXPECT_TRUE(robot.cycle({}, missed).empty());
+  const auto& lessons = robot.cycle({}, missed);
+  ASSERT_EQ(lessons.size(), 1U);
+  EXPECT_EQ(lessons[0].kind, LandmarkLesson::Kind::missed);
+}
+
+TEST(FamiliarLandmarks, OneSightingBreaksARowOfMisses) {
+  Looking robot({model(7, "book", 10.0)});
+  const std::vector<ExpectedLook> missed = {{0, LookResult::missed}};
+  robot.cycle({}, missed);
+  robot.cycle({}, missed);
+  robot.cycle({0}, {{0, LookResult::found}});
+  EXPECT_TRUE(robot.cycle({}, missed).empty());
+}
+
+TEST(FamiliarLandmarks, KnowsNothingAndCostsNothingByDefault) {
+  FamiliarLandmarks none;
+  LandmarkFinder finder{LandmarkFinderSettings{}};
+  ShortTermMemory memory({}, {});
+  none.hand_over(finder);
+  none.guide(memory, {}, finder);
+  EXPECT_FALSE(finder.knows_any());
+  EXPECT_TRUE(none.name(blank_percept(100)).empty());
+  EXPECT_TRUE(none.learn(blank_percept(100), memory).empty());
+}
+
+}  // namespace
+}  // namespace striate
