@@ -88,6 +88,8 @@ void add_common(CLI::App& command, RosOptions& options) {
                      "settings; the section 'ros' names topics and frames");
   command.add_option("--var", options.run.given, "a variable of the task, as \"way=20 m\"")
       ->take_all();
+  command.add_option("--memory", options.run.memory,
+                     "the long-term memory that keeps what happens; made where there is none");
   command.add_option("--result", options.run.result, "JSON file for what came of it");
   command.add_flag("--no-emergency", options.no_emergency, "sonar and laser do nothing");
   command.add_flag("--quiet", options.run.quiet, "print nothing");

@@ -22,7 +22,8 @@ Inbox::Inbox(const RosSettings& settings)
   senses_.head.tilt_rad = settings.fixed_tilt_rad;
 }
 
-TimePoint Inbox::body_time(const ::ros::Time& stamp, TimePoint arrived) {
+TimePoint Inbox::body_time(Stream stream, const ::ros::Time& stamp, TimePoint arrived) {
+  stamps_.learn(stream, nanoseconds(stamp), arrived);
   return stamps_.to_body(nanoseconds(stamp), arrived);
 }
 
@@ -44,7 +45,7 @@ void Inbox::take(Eye eye, const sensor_msgs::CompressedImage& message, TimePoint
 
 void Inbox::take_eye(Eye eye, EyePicture picture, TimePoint arrived) {
   // Even an unpaired picture tells how the clocks lie to each other.
-  (void)stamps_.to_body(picture.stamp_ns, arrived);
+  stamps_.learn(eye == Eye::left ? Stream::left : Stream::right, picture.stamp_ns, arrived);
   const auto pair = eye == Eye::left ? pairing_.add_left(std::move(picture))
                                      : pairing_.add_right(std::move(picture));
   if (!pair) return;
@@ -79,20 +80,20 @@ void Inbox::take(const nav_msgs::Odometry& message, TimePoint arrived) {
   }
   if (!first_pose_) first_pose_ = odometry.pose;
   odometry.pose = to_inner(*first_pose_, odometry.pose);
-  odometry.stamp = body_time(message.header.stamp, arrived);
+  odometry.stamp = body_time(Stream::odometry, message.header.stamp, arrived);
   senses_.odometry = odometry;
   odometry_came_ = arrived;
 }
 
 void Inbox::take(const sensor_msgs::LaserScan& message, TimePoint arrived) {
   read(message, settings_.scan_forward_m, senses_.laser);
-  senses_.laser.stamp = body_time(message.header.stamp, arrived);
+  senses_.laser.stamp = body_time(Stream::laser, message.header.stamp, arrived);
   laser_came_ = arrived;
 }
 
 void Inbox::take(const sensor_msgs::PointCloud& message, TimePoint arrived) {
   read(message, senses_.sonar);
-  senses_.sonar.stamp = body_time(message.header.stamp, arrived);
+  senses_.sonar.stamp = body_time(Stream::sonar, message.header.stamp, arrived);
 }
 
 void Inbox::take(const sensor_msgs::JointState& message, TimePoint arrived) {
@@ -104,7 +105,8 @@ void Inbox::take(const sensor_msgs::JointState& message, TimePoint arrived) {
     if (message.name[i] == settings_.tilt_joint) head.tilt_rad = message.position[i];
   }
   senses_.head = head;
-  heads_.push_back({body_time(message.header.stamp, arrived), head});
+  // Wheels and head may be told by several publishers: this topic tells nothing of clocks.
+  heads_.push_back({stamps_.to_body(nanoseconds(message.header.stamp), arrived), head});
   if (heads_.size() > kHeadsKept) heads_.pop_front();
 }
 

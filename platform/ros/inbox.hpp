@@ -45,7 +45,7 @@ class Inbox {
     HeadPose head;
   };
   void take_eye(Eye eye, EyePicture picture, TimePoint arrived);
-  [[nodiscard]] TimePoint body_time(const ::ros::Time& stamp, TimePoint arrived);
+  TimePoint body_time(Stream stream, const ::ros::Time& stamp, TimePoint arrived);
   [[nodiscard]] HeadPose head_at(TimePoint stamp) const;
 
   RosSettings settings_;

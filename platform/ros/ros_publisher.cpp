@@ -204,6 +204,8 @@ void RosPublisher::publish(const Disparity& disparity, TimePoint stamp) {
   message.image.width = static_cast<std::uint32_t>(map.cols);
   message.image.height = static_cast<std::uint32_t>(map.rows);
   message.image.step = message.image.width * sizeof(float);
+  message.valid_window.width = message.image.width;
+  message.valid_window.height = message.image.height;
   message.image.encoding = "32FC1";
   message.image.data.resize(map.total() * sizeof(float));
   for (int v = 0; v < map.rows; ++v) {

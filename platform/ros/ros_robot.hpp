@@ -11,9 +11,9 @@ namespace striate::ros1 {
 /// A robot that is only reachable through ROS 1, as a body: pictures, odometry, laser, sonar and
 /// the head's joints come as topics, `cmd_vel` goes out.
 ///
-/// Its own gate is the last: while pictures or odometry are silent for longer than `stale`, or a
-/// laser that has spoken is, or the newest command is older than `lease`, zero is published. With
-/// the end of the object, however it ends, zero is published too.
+/// Its own gate is the last: while pictures or odometry, or a laser that has spoken, are silent or
+/// late for longer than `stale`, or the newest command is older than `lease`, or the master has not
+/// answered for a second, zero is published. With the end of the object zero is published too.
 class RosRobot final : public Robot {
  public:
   /// Joins ROS and waits for the first pictures and odometry.
@@ -24,7 +24,8 @@ class RosRobot final : public Robot {
 
   [[nodiscard]] const RobotDescription& description() const override;
   [[nodiscard]] const Clock& clock() const override;
-  /// @throws std::runtime_error when pictures or odometry are silent for longer than `lost`.
+  /// @throws std::runtime_error when pictures, odometry or the master are silent for longer
+  /// than `lost`.
   bool sense(Senses& senses) override;
   void send(const MotorCommand& command) override;
   void stop() noexcept override;

@@ -1,37 +1,50 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 #include "platform/interface/time.hpp"
 
 namespace striate::ros1 {
 
+/// Topics that tell how the clocks lie; each of one publisher, so that its stamps only grow.
+enum class Stream : std::uint8_t { left, right, odometry, laser, sonar, count };
+
 /// Brings stamps of another machine's clock, which may be wrong, set or stopped, to our steady one.
 /// The message that was least under way tells how the clocks lie to each other; every other is
 /// older than its arrival by what it was later than that one. So a stamp is never in the future,
-/// and messages keep their distances in time.
+/// messages keep their distances in time, and a link on which they pile up makes them old. All
+/// topics are to be stamped by one clock: those that lag behind it look late.
 class StampMap {
  public:
-  /// @param stamp_ns of the message; 0 where the sender gives none: then the arrival counts
-  TimePoint to_body(std::int64_t stamp_ns, TimePoint arrived) {
-    if (stamp_ns == 0) return arrived;
+  /// Each message once, in the order of arrival; without a stamp (0) it tells nothing.
+  void learn(Stream stream, std::int64_t stamp_ns, TimePoint arrived) {
+    if (stamp_ns == 0) return;
     const Duration offset = arrived.time_since_epoch() - Duration(stamp_ns);
-    const bool jumped = offset - offset_ > kJump || offset_ - offset > kJump;
-    if (!known_ || jumped) {
-      offset_ = offset;
-      known_ = true;
-    } else {
-      // Clocks drift apart: the offset may grow by a thousandth of the time that passes.
-      offset_ += (arrived - last_) / 1000;
-      if (offset < offset_) offset_ = offset;
+    std::int64_t& newest_ns = newest_ns_[static_cast<std::size_t>(stream)];
+    // A topic keeps its order. Where its stamps go back, the sender's clock was set, or it began
+    // anew; mere lateness, however long, is no reason to believe that a message is fresh.
+    if (newest_ns != 0 && newest_ns - stamp_ns > kBack.count()) {
+      newest_ns_.fill(0);
+      known_ = false;
     }
+    newest_ns = newest_ns > stamp_ns ? newest_ns : stamp_ns;
+    if (known_) offset_ += (arrived - last_) / kDriftShare;
+    if (!known_ || offset < offset_) offset_ = offset;
+    known_ = true;
     last_ = arrived;
-    return TimePoint(Duration(stamp_ns) + offset_);
+  }
+  /// @param stamp_ns of a message; 0 where the sender gave none. Then, and while nothing has been
+  /// learned, the arrival counts.
+  [[nodiscard]] TimePoint to_body(std::int64_t stamp_ns, TimePoint arrived) const {
+    return stamp_ns == 0 || !known_ ? arrived : TimePoint(Duration(stamp_ns) + offset_);
   }
 
  private:
-  /// A source that begins anew, or whose clock was set.
-  static constexpr Duration kJump = std::chrono::seconds(2);
+  static constexpr Duration kBack = std::chrono::milliseconds(100);
+  /// Clocks drift apart: the offset may grow by this share of the time that passes (200 ppm).
+  static constexpr int kDriftShare = 5000;
+  std::array<std::int64_t, static_cast<std::size_t>(Stream::count)> newest_ns_{};
   Duration offset_{};
   TimePoint last_;
   bool known_ = false;

@@ -10,6 +10,7 @@
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
+#include <memory>
 #include <string>
 #include <thread>
 #include <vector>
@@ -85,8 +86,16 @@ class RosMaster {
   static bool installed() { return access(kProgram, X_OK) == 0; }
 
   explicit RosMaster(const std::string& folder)
-      : port_(point_at_a_free_port(folder)),
-        program_({kProgram, "--core", "-p", std::to_string(port_)}, folder + "/rosmaster.log") {}
+      : folder_(folder), port_(point_at_a_free_port(folder)) {
+    start();
+  }
+  /// At the same address again, after kill().
+  void start() {
+    program_ = std::make_unique<Program>(
+        std::vector<std::string>{kProgram, "--core", "-p", std::to_string(port_)},
+        folder_ + "/rosmaster.log");
+  }
+  void kill() { program_.reset(); }
 
   /// Whether it has come up.
   [[nodiscard]] bool answers() const {
@@ -114,8 +123,9 @@ class RosMaster {
     unsetenv("ROS_NAMESPACE");
     return port;
   }
+  std::string folder_;
   std::uint16_t port_;
-  Program program_;
+  std::unique_ptr<Program> program_;
 };
 
 }  // namespace striate::scenarios

@@ -17,6 +17,7 @@ struct WrittenBag {
   bool with_info = true;
   std::string root = "/stereo";
   std::string picture = "/image_rect_color";
+  std::function<void(int pair, StereoFrame&)> paint;  ///< over the even grey, where given
 };
 
 /// One picture pair every 100 ms, the right stamp 3 ms after the left; odometry each 50 ms on
@@ -33,6 +34,7 @@ inline void write_bag(const std::string& file, const WrittenBag& given) {
     const ::ros::Time now = begin + ::ros::Duration(0.1 * i);
     frame.left = cv::Mat3b(120, 160, cv::Vec3b::all(static_cast<std::uint8_t>(10 * i)));
     frame.right = cv::Mat3b(120, 160, cv::Vec3b::all(200));
+    if (given.paint) given.paint(i, frame);
     for (const bool right : {false, true}) {
       const std::string eye = given.root + (right ? "/right" : "/left");
       const ::ros::Time stamp = now + ::ros::Duration(right ? 0.003 : 0.0);
