@@ -9,10 +9,10 @@
 
 #include "app/baselines/true_depth_pictures.hpp"
 #include "app/cognitive_cycle.hpp"
+#include "app/drawn_trail.hpp"
 #include "app/memory/landmark_knowledge.hpp"
 #include "app/run_result.hpp"
 #include "app/stopwatch_robot.hpp"
-#include "app/drawn_trail.hpp"
 #include "platform/simulator/simulated_pioneer.hpp"
 #include "tasks/task_reader.hpp"
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "app/cognitive_cycle.hpp"
-#include "app/recording/setup.hpp"
 #include "app/drawn_trail.hpp"
+#include "app/recording/setup.hpp"
 #include "platform/replay/replay_robot.hpp"
 
 namespace striate {

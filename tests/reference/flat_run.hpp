@@ -83,7 +83,7 @@ class Loop {
   int cycles = 0;
   bool camera_off = false;
   std::function<void(Loop&)> recognises;  ///< puts sightings into memory
-  bool held = false;  ///< something lets no motion through
+  bool held = false;                      ///< something lets no motion through
 };
 
 }  // namespace striate::flat
