@@ -18,6 +18,7 @@ constexpr double kSameGoal_m = 1.0;
 constexpr double kPassedApart_m = 1.5;
 constexpr double kWorthReturning_m2 = 0.35;
 constexpr double kAtPassed_m = 0.9;
+constexpr double kWorthARound_m2 = 2.0;
 constexpr double kReturnLongest_s = 120.0;
 constexpr double kDwell_s = 0.5;
 constexpr int kTurns = 3;
@@ -44,6 +45,7 @@ void Explore::start(const ShortTermMemory& memory) {
   passed_count_ = 0;
   turns_ = 0;
   failures_ = 0;
+  area_at_round_m2_ = -kWorthARound_m2;
   thought_ = {};
   enter(State::looking, memory);
 }
@@ -167,11 +169,24 @@ Wish Explore::look(const ShortTermMemory& memory) {
     enter(State::turning, memory);
   } else if (pick_passed(memory)) {
     enter(State::returning, memory);
+  } else if (tries_again()) {
+    enter(State::looking, memory);
   } else {
     return final_wish(memory, Progress::succeeded,
                       short_format("explored {:.0f} m2", finder_.known().area_m2()));
   }
   return wish;
+}
+
+/// What shut a way may have been seen wrongly and faded since: places that were given up are tried
+/// again, until a round of them brings next to nothing.
+bool Explore::tries_again() {
+  const double area_m2 = finder_.known().area_m2();
+  if (area_m2 < area_at_round_m2_ + kWorthARound_m2) return false;
+  area_at_round_m2_ = area_m2;
+  finder_.forget_avoided();
+  turns_ = 0;
+  return true;
 }
 
 Wish Explore::turn(const ShortTermMemory& memory) {

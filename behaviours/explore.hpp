@@ -39,6 +39,7 @@ class Explore : public Behaviour {
   void remember_passed(Point2 place);
   /// The nearest edge that was passed and is still one; false where there is none.
   [[nodiscard]] bool pick_passed(const ShortTermMemory& memory);
+  bool tries_again();
   Wish drive(const ShortTermMemory& memory);
   Wish look(const ShortTermMemory& memory);
   Wish turn(const ShortTermMemory& memory);
@@ -60,6 +61,7 @@ class Explore : public Behaviour {
   TimePoint found_at_{};  ///< when there was a goal last
   int turns_ = 0;
   int failures_ = 0;
+  double area_at_round_m2_ = 0.0;  ///< known when all that was given up was tried again
   double turn_left_rad_ = 0.0;
   double last_heading_rad_ = 0.0;
   std::array<Point2, kPassed> passed_{};  ///< edges that were seen and not driven to

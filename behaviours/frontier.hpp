@@ -52,6 +52,7 @@ class FrontierFinder {
   [[nodiscard]] Frontier find(const FloorField& field, const Pose2& robot);
   /// There is nothing to be found here; not proposed again.
   void avoid(Point2 place);
+  void forget_avoided() { avoided_count_ = 0; }
   /// The last choice is preferred while it is nearly as good.
   void prefer(Point2 place) { preferred_ = place; }
   /// Floor round a place that was never known and that the robot could drive on.

@@ -52,6 +52,7 @@ std::vector<std::string> ReplayMission::changed_settings() const {
   const std::vector<replay::NamedText> now = printed_settings(settings_);
   std::vector<std::string> changed;
   for (const auto& [key, value] : now) {
+    if (key.starts_with("simulator.")) continue;  // the recording is the body
     const auto& then = reader_.setup().settings;
     const auto same_key =
         std::find_if(then.begin(), then.end(), [&](const auto& line) { return line.first == key; });
