@@ -10,6 +10,7 @@
 #include <opencv2/imgproc.hpp>
 #include <string>
 
+#include "app/files.hpp"
 #include "app/perceive_files.hpp"
 #include "app/pictures/overview.hpp"
 #include "app/read_picture.hpp"
@@ -191,8 +192,8 @@ int perceive(const PerceiveOptions& options) {
     write_pfm(options.out / "disparity.pfm", percept.disparity.disparity_px);
     write_pfm(options.out / "confidence.pfm", percept.disparity.confidence);
   }
-  write_text(options.out / "obstacles.json", obstacles_json(percept, options, judged.report));
-  write_text(options.out / "keypoints.json", keypoints_json(percept, frame.left.size()));
+  write_file(options.out / "obstacles.json", obstacles_json(percept, options, judged.report));
+  write_file(options.out / "keypoints.json", keypoints_json(percept, frame.left.size()));
   pictures::OverviewStyle style;
   style.unit = judged.report.unit == "m" ? "m" : "bl";
   style.plan_reach = reach_of(judged);

@@ -57,15 +57,6 @@ std::string hex(const Descriptor& descriptor) {
 
 }  // namespace
 
-void make_folder(const fs::path& folder) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error || !fs::is_directory(folder)) {
-    throw UserError(fmt::format("--out {}: cannot be made a folder{}", folder.string(),
-                                error ? ": " + error.message() : ""));
-  }
-}
-
 void write_pfm(const fs::path& file, const cv::Mat1f& values) {
   static_assert(std::endian::native == std::endian::little);
   std::ofstream out(file, std::ios::binary);
@@ -74,12 +65,6 @@ void write_pfm(const fs::path& file, const cv::Mat1f& values) {
     out.write(reinterpret_cast<const char*>(values[v]),
               static_cast<std::streamsize>(sizeof(float)) * values.cols);
   }
-  if (!out.flush()) throw std::runtime_error(fmt::format("{}: cannot be written", file.string()));
-}
-
-void write_text(const fs::path& file, const std::string& text) {
-  std::ofstream out(file, std::ios::binary);
-  out << text;
   if (!out.flush()) throw std::runtime_error(fmt::format("{}: cannot be written", file.string()));
 }
 

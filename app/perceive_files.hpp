@@ -20,11 +20,7 @@ struct ObstacleReport {
   bool floor_known = false;
 };
 
-/// Makes the folder and those above it. Throws UserError where it cannot be one.
-void make_folder(const std::filesystem::path& folder);
-
 void write_pfm(const std::filesystem::path& file, const cv::Mat1f& values);
-void write_text(const std::filesystem::path& file, const std::string& text);
 void write_picture(const std::filesystem::path& file, const cv::Mat3b& picture);
 
 [[nodiscard]] std::string obstacles_json(const Percept& percept, const PerceiveOptions& options,

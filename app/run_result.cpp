@@ -1,13 +1,8 @@
 #include "app/run_result.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
-#include <cerrno>
 #include <cmath>
-#include <cstring>
-#include <filesystem>
-#include <fstream>
 #include <stdexcept>
 
 #include "config/user_error.hpp"
@@ -87,35 +82,6 @@ RunResult run_result_from_json(const nlohmann::json& json) {
 
 std::string stood_for(const RunResult& result) {
   return result.longest_stand_why.empty() ? "" : " (" + result.longest_stand_why + ")";
-}
-
-void write_file(const std::string& path, const std::string& content) {
-  const std::filesystem::path target(path);
-  std::error_code code;
-  if (target.has_parent_path()) std::filesystem::create_directories(target.parent_path(), code);
-  const std::string beside = path + ".part";
-  std::ofstream stream(beside, std::ios::binary | std::ios::trunc);
-  stream << content;
-  stream.close();
-  if (!stream) {
-    const std::string why = std::strerror(errno);
-    std::filesystem::remove(beside, code);
-    throw std::runtime_error(fmt::format("{}: cannot be written: {}", path, why));
-  }
-  std::filesystem::rename(beside, target, code);
-  if (code)
-    throw std::runtime_error(fmt::format("{}: cannot be written: {}", path, code.message()));
-}
-
-void check_writable(const std::string& path) {
-  const std::filesystem::path target(path);
-  const std::filesystem::path folder = target.has_parent_path() ? target.parent_path() : ".";
-  std::error_code code;
-  std::filesystem::create_directories(folder, code);
-  if (!code && !std::filesystem::is_directory(target) && access(folder.c_str(), W_OK) == 0) return;
-  throw UserError(
-      fmt::format("{}: nothing can be written there{}\n    give a path in a folder of yours", path,
-                  code ? ": " + code.message() : std::string()));
 }
 
 }  // namespace striate

@@ -53,12 +53,4 @@ struct RunResult {
 /// " (why)" of the longest stand; empty where nothing is to be said.
 [[nodiscard]] std::string stood_for(const RunResult& result);
 
-/// Writes beside the target and renames, so that no half-written result is ever seen.
-/// @throws std::runtime_error saying which file and why.
-void write_file(const std::string& path, const std::string& content);
-
-/// Makes the folder of a file that is to be written later, so that a long run does not fail at its
-/// last step. @throws UserError where nothing can be written there.
-void check_writable(const std::string& path);
-
 }  // namespace striate

@@ -7,7 +7,7 @@
 
 #include "app/calibration/calibrate_stereo.hpp"
 #include "app/commands/commands.hpp"
-#include "app/run_result.hpp"
+#include "app/files.hpp"
 #include "config/user_error.hpp"
 
 namespace striate {

@@ -1,18 +1,15 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 #include <string_view>
 
 #include "app/commands/memory_command.hpp"
+#include "app/files.hpp"
 #include "app/memory/memory_diff.hpp"
 #include "app/memory/memory_json.hpp"
 #include "app/memory/open_memory.hpp"
 #include "app/memory/text_table.hpp"
-#include "app/run_result.hpp"
 #include "config/user_error.hpp"
 #include "memory/long_term/damage.hpp"
 #include "memory/long_term/memory_writer.hpp"
@@ -139,35 +136,13 @@ void merge_command(const MemoryCommandOptions& options, const std::string& other
               [&](MemoryTables& theirs, MemoryFile&) { take_in(options, other, theirs); });
 }
 
-/// A folder that is gone in the end.
-class Scratch {
- public:
-  Scratch() {
-    std::string pattern = (std::filesystem::temp_directory_path() / "striate_XXXXXX").string();
-    if (mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("no room for a folder");
-    path_ = pattern;
-  }
-  ~Scratch() {
-    std::error_code none;
-    std::filesystem::remove_all(path_, none);
-  }
-  Scratch(const Scratch&) = delete;
-  Scratch& operator=(const Scratch&) = delete;
-  [[nodiscard]] std::string file() const { return path_ + "/import.db"; }
-
- private:
-  std::string path_;
-};
-
 void import_command(const MemoryCommandOptions& options, const std::string& from) {
-  std::ifstream stream(from, std::ios::binary);
-  std::stringstream text;
-  text << stream.rdbuf();
-  if (!stream) throw UserError(fmt::format("{}: cannot be read\n    is the path right?", from));
-  const Scratch scratch;
-  with_memory(scratch.file(), Access::session, "importing it",
-              [&](MemoryTables& tables, MemoryFile&) { import_memory(text.str(), from, tables); });
-  with_memory(scratch.file(), Access::read, "importing it",
+  const std::string text = read_file(from);
+  const ScratchFolder scratch;
+  const std::string copy = scratch / "import.db";
+  with_memory(copy, Access::session, "importing it",
+              [&](MemoryTables& tables, MemoryFile&) { import_memory(text, from, tables); });
+  with_memory(copy, Access::read, "importing it",
               [&](MemoryTables& theirs, MemoryFile&) { take_in(options, from, theirs); });
 }
 

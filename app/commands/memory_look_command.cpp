@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/commands/memory_command.hpp"
+#include "app/files.hpp"
 #include "app/memory/memory_json.hpp"
 #include "app/memory/memory_pictures.hpp"
 #include "app/memory/open_memory.hpp"

@@ -6,6 +6,7 @@
 #include <unordered_map>
 
 #include "app/commands/memory_command.hpp"
+#include "app/files.hpp"
 #include "app/memory/memory_json.hpp"
 #include "app/memory/memory_map_svg.hpp"
 #include "app/memory/memory_pictures.hpp"

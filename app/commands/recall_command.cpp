@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "app/commands/commands.hpp"
+#include "app/files.hpp"
 #include "app/memory/memory_json.hpp"
 #include "app/memory/text_table.hpp"
 #include "app/perceive_files.hpp"
@@ -11,7 +12,6 @@
 #include "app/place_text.hpp"
 #include "app/recall/memory_state.hpp"
 #include "app/replay/replay_mission.hpp"
-#include "app/run_result.hpp"
 #include "config/user_error.hpp"
 
 namespace striate {

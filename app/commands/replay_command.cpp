@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "app/commands/commands.hpp"
+#include "app/files.hpp"
 #include "app/interrupt.hpp"
 #include "app/memory/memory_json.hpp"
 #include "app/perceive_files.hpp"

@@ -5,6 +5,7 @@
 
 #include "app/commands/commands.hpp"
 #include "app/commands/run_on_robot.hpp"
+#include "app/files.hpp"
 #include "app/interrupt.hpp"
 #include "app/memory/landmark_knowledge.hpp"
 #include "app/mission.hpp"

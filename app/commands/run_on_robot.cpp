@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "app/files.hpp"
 #include "app/interrupt.hpp"
 #include "app/mission_memory.hpp"
 #include "app/recall/live_memory.hpp"

@@ -8,7 +8,7 @@
 #include "app/evaluation/plot.hpp"
 #include "app/evaluation/repeatability.hpp"
 #include "app/evaluation/report.hpp"
-#include "app/run_result.hpp"
+#include "app/files.hpp"
 
 namespace striate {
 namespace {

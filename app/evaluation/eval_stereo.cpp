@@ -7,7 +7,7 @@
 #include "app/evaluation/plot.hpp"
 #include "app/evaluation/report.hpp"
 #include "app/evaluation/stereo_methods.hpp"
-#include "app/run_result.hpp"
+#include "app/files.hpp"
 #include "config/user_error.hpp"
 
 /// `striate eval stereo`: disparities against ground truth, ours and OpenCV's in one run.

@@ -7,11 +7,11 @@
 #include <map>
 
 #include "app/evaluation/report.hpp"
+#include "app/files.hpp"
 #include "app/interrupt.hpp"
 #include "app/memory/landmark_knowledge.hpp"
 #include "app/objects/object_places.hpp"
 #include "app/objects/standing_robot.hpp"
-#include "app/run_result.hpp"
 #include "app/teaching/keep_taught.hpp"
 #include "app/teaching/live_teaching.hpp"
 #include "config/user_error.hpp"

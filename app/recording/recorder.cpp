@@ -9,8 +9,8 @@
 #include <csignal>
 #include <cstring>
 
+#include "app/files.hpp"
 #include "app/recording/decision.hpp"
-#include "app/run_result.hpp"
 #include "config/user_error.hpp"
 #include "platform/replay/recording_codec.hpp"
 #include "platform/replay/recording_format.hpp"

@@ -3,13 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 
+#include "app/files.hpp"
 #include "app/memory/open_memory.hpp"
-#include "app/run_result.hpp"
 #include "config/user_error.hpp"
 
 namespace striate {
@@ -18,20 +15,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::uintmax_t kMostMemory_bytes = 128U << 20U;
-
-std::string read_whole(const std::string& file) {
-  std::ifstream stream(file, std::ios::binary);
-  std::stringstream text;
-  text << stream.rdbuf();
-  if (!stream) throw UserError(fmt::format("{}: cannot be read\n    is the path right?", file));
-  return text.str();
-}
-
-std::string new_folder() {
-  std::string pattern = (fs::temp_directory_path() / "striate_XXXXXX").string();
-  if (mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("no room for a folder");
-  return pattern;
-}
 
 /// The innermost folder that all files are in.
 fs::path common_folder(const std::vector<std::string>& files) {
@@ -65,11 +48,11 @@ replay::RecordedSetup record_setup(const Task& task, const GivenVariables& given
   const fs::path folder = common_folder(task.files);
   for (const std::string& file : task.files) {
     setup.task_files.emplace_back(fs::path(file).lexically_relative(folder).string(),
-                                  read_whole(file));
+                                  read_file(file));
   }
   setup.variables.assign(given.begin(), given.end());
   setup.robot_file = robot_file;
-  if (!robot_file.empty()) setup.robot_text = read_whole(robot_file);
+  if (!robot_file.empty()) setup.robot_text = read_file(robot_file);
   setup.settings = printed_settings(settings);
   setup.emergency_layer = settings.safety.emergency_layer;
   setup.robot = robot;
@@ -84,23 +67,21 @@ std::vector<std::uint8_t> copy_of_memory(const std::string& memory) {
                     "  hint: run without --record, or 'striate memory {} prune'",
                     memory, memory));
   }
-  const std::string folder = new_folder();
-  const std::string copy = folder + "/memory.db";
+  const ScratchFolder scratch;
+  const std::string copy = scratch / "memory.db";
   {
     MemoryFile file(memory, memory_options(Access::read, "striate run"));
     SQLite::Statement statement(file.database(), "VACUUM INTO ?");
     statement.bind(1, copy);
     statement.exec();
   }
-  const std::string bytes = read_whole(copy);
-  std::error_code none;
-  fs::remove_all(folder, none);
+  const std::string bytes = read_file(copy);
   return {bytes.begin(), bytes.end()};
 }
 
-RecordedFiles::RecordedFiles(const replay::RecordedSetup& setup) : folder_(new_folder()) {
+RecordedFiles::RecordedFiles(const replay::RecordedSetup& setup) {
   if (!setup.memory.empty()) {
-    memory_ = folder_ + "/memory.db";
+    memory_ = folder_ / "memory.db";
     write_file(memory_, std::string(setup.memory.begin(), setup.memory.end()));
   }
   for (const auto& [name, text] : setup.task_files) {
@@ -108,19 +89,14 @@ RecordedFiles::RecordedFiles(const replay::RecordedSetup& setup) : folder_(new_f
     if (relative.empty() || relative.is_absolute() || relative.string().starts_with("..")) {
       throw UserError(fmt::format("the recording names a task file '{}', which is no place", name));
     }
-    const std::string file = (fs::path(folder_) / "task" / relative).string();
+    const std::string file = (fs::path(folder_.path()) / "task" / relative).string();
     check_writable(file);
     write_file(file, text);
     if (task_.empty()) task_ = file;
   }
   if (setup.robot_file.empty()) return;
-  robot_ = folder_ + "/robot.yaml";
+  robot_ = folder_ / "robot.yaml";
   write_file(robot_, setup.robot_text);
-}
-
-RecordedFiles::~RecordedFiles() {
-  std::error_code none;
-  fs::remove_all(folder_, none);
 }
 
 }  // namespace striate

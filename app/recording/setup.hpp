@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "app/files.hpp"
 #include "app/robot_settings.hpp"
 #include "platform/replay/recording.hpp"
 #include "tasks/task.hpp"
@@ -32,16 +33,13 @@ class RecordedFiles {
  public:
   /// @throws UserError for a recording with file names that lead out of the folder
   explicit RecordedFiles(const replay::RecordedSetup& setup);
-  ~RecordedFiles();
-  RecordedFiles(const RecordedFiles&) = delete;
-  RecordedFiles& operator=(const RecordedFiles&) = delete;
 
   [[nodiscard]] const std::string& task() const { return task_; }
   [[nodiscard]] const std::string& robot() const { return robot_; }    ///< "": built-in settings
   [[nodiscard]] const std::string& memory() const { return memory_; }  ///< "": it was to be made
 
  private:
-  std::string folder_;
+  ScratchFolder folder_;
   std::string task_;
   std::string robot_;
   std::string memory_;

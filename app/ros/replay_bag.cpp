@@ -8,6 +8,7 @@
 #include <opencv2/core.hpp>
 #include <stdexcept>
 
+#include "app/files.hpp"
 #include "app/interrupt.hpp"
 #include "app/perceive_files.hpp"
 #include "app/pictures/overview.hpp"

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "app/baselines/baseline.hpp"
+#include "app/files.hpp"
 #include "app/interrupt.hpp"
 #include "app/run_result.hpp"
 #include "app/status_line.hpp"

@@ -8,6 +8,7 @@
 #include <optional>
 #include <set>
 
+#include "app/files.hpp"
 #include "app/run_result.hpp"
 #include "app/trial/trial_table.hpp"
 #include "config/user_error.hpp"

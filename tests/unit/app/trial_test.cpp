@@ -9,6 +9,7 @@
 #include <fstream>
 #include <set>
 
+#include "app/files.hpp"
 #include "app/place_text.hpp"
 #include "app/run_result.hpp"
 #include "app/trial/process_pool.hpp"
