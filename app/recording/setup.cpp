@@ -69,12 +69,7 @@ std::vector<std::uint8_t> copy_of_memory(const std::string& memory) {
   }
   const ScratchFolder scratch;
   const std::string copy = scratch / "memory.db";
-  {
-    MemoryFile file(memory, memory_options(Access::read, "striate run"));
-    SQLite::Statement statement(file.database(), "VACUUM INTO ?");
-    statement.bind(1, copy);
-    statement.exec();
-  }
+  MemoryFile(memory, memory_options(Access::read, "striate run")).copy_to(copy);
   const std::string bytes = read_file(copy);
   return {bytes.begin(), bytes.end()};
 }

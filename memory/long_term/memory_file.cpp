@@ -86,6 +86,16 @@ void MemoryFile::open_to_read(const MemoryOptions& options) {
       options.wait_ms);
 }
 
+void MemoryFile::copy_to(const std::string& path) {
+  // Whoever may only query may not VACUUM INTO another file either.
+  const bool only_queries = number(*database_, "PRAGMA query_only") != 0;
+  database_->exec("PRAGMA query_only = 0");
+  SQLite::Statement copy(*database_, "VACUUM INTO ?");
+  copy.bind(1, path);
+  copy.exec();
+  if (only_queries) database_->exec("PRAGMA query_only = 1");
+}
+
 void MemoryFile::recognise(const MemoryOptions& options) {
   const std::int64_t application = number(*database_, "PRAGMA application_id");
   const int version = static_cast<int>(number(*database_, "PRAGMA user_version"));

@@ -43,6 +43,8 @@ class MemoryFile {
   [[nodiscard]] const std::string& path() const { return path_; }
   /// What the person should know: a crash found, a migration done, a newer version.
   [[nodiscard]] const std::vector<std::string>& notices() const { return notices_; }
+  /// Writes all of it, as it is now, to a file that is not there yet; also of one opened to read.
+  void copy_to(const std::string& path);
 
  private:
   void open_database(const MemoryOptions& options);

@@ -81,6 +81,36 @@ TEST(RoundTrip, GoesAlmostToTheEndAndComesBackByVisionAlone) {
   EXPECT_GT(result.distance_m, 17.0);
 }
 
+TEST(Explore, GoesRoundTheBendOfAnUnknownCorridorAndComesBack) {
+  const TemporaryFolder folder;
+  MissionOptions options;
+  options.world = folder.write("bend.yaml", R"(striate_world: 1
+name: bend
+corridor: {length: 10 m, width: 2.2 m, height: 2.7 m}
+turns: [{at: 5 m, angle: 90 deg}]
+walls:
+  - {side: left, from: 1 m, to: 4 m, material: brick}
+  - {side: right, from: 3 m, to: 6 m, material: wallpaper}
+  - {side: left, from: 6.5 m, to: 9 m, material: panelling}
+doors: [{side: right, at: 2 m}]
+posters: [{side: right, at: 7.5 m, image: poster_map}]
+lights: [{from: 0 m, to: 10 m, every: 2.5 m, level: 1.0}]
+start: {at: [1.0 m, 0 m], heading: 0 deg}
+goal: {beyond: 7.5 m}
+)");
+  options.task = folder.write("short.yaml", "striate: 1\ndo:\n  - use: " + kRoot +
+                                                "config/tasks/explore.yaml\n"
+                                                "    with: {longest: 90 s}\n");
+  options.seed = 3;
+  options.emergency_layer = false;
+  const RunResult result = Mission(options).run([](const Mission&) { return false; });
+  EXPECT_EQ(result.outcome, "success") << result.reason;
+  EXPECT_TRUE(result.reached_goal) << "round the bend";
+  EXPECT_TRUE(result.collisions.empty());
+  ASSERT_TRUE(result.from_start_m.has_value());
+  EXPECT_LT(*result.from_start_m, 0.8);
+}
+
 TEST(SmallMission, SaysItsTextAndSucceedsWithItsStepsOrFailsWithAReason) {
   const TemporaryFolder folder;
   const std::string good =

@@ -241,6 +241,20 @@ TEST(MemoryFile, AReaderAndAnEditGoOnWhileASessionWrites) {
   load.join();
 }
 
+TEST(MemoryFile, IsCopiedWholeAlsoWhereItIsOpenedToRead) {
+  const Folder folder;
+  const std::string file = folder / "home.db";
+  add_landmark(Opened(file, Access::session).tables, "book", 1);
+  for (const Access access : {Access::read, Access::edit}) {
+    const std::string copy = folder / (access == Access::read ? "read.db" : "edited.db");
+    Opened(file, access).file.copy_to(copy);
+    EXPECT_TRUE(Opened(copy, Access::read).tables.landmarks.find("book").has_value());
+  }
+  Opened reader(file, Access::read);
+  reader.file.copy_to(folder / "third.db");
+  EXPECT_THROW(reader.file.database().exec("DELETE FROM landmark"), SQLite::Exception);
+}
+
 TEST(MemoryFile, AReadOnlyFolderCanBeReadAndSaysWhyItCannotBeWritten) {
   const Folder folder;
   const std::string file = folder / "home.db";
