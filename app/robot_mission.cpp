@@ -22,20 +22,25 @@ RobotSettings settings_for(const RobotMissionOptions& options) {
 }
 
 /// Stands for ever: somebody else drives.
-Task standing_task() {
+Task standing_task(const RobotDescription& robot) {
   config::Mistakes mistakes("the task to stand", 'T');
   Task task = read_task("striate: 1\nmission: stand\ndo:\n  - repeat:\n      - wait: {for: 60 s}\n",
-                        mistakes, RobotDescription{});
+                        mistakes, robot);
   mistakes.throw_if_any();
   return task;
 }
 
-Task task_for(const RobotMissionOptions& options) {
-  if (options.task.empty()) return standing_task();
+Task task_for(const RobotMissionOptions& options, const RobotDescription& robot) {
+  if (options.task.empty()) return standing_task(robot);
   std::vector<std::string> names;
   if (options.knowledge) names = options.knowledge->names();
-  return load_task(options.task, RobotDescription{}, options.given,
-                   options.knowledge ? &names : nullptr);
+  return load_task(options.task, robot, options.given, options.knowledge ? &names : nullptr);
+}
+
+/// Only the robot itself knows its limits; mistakes in the task are told before it is woken.
+RealBody body_for(const RobotMissionOptions& options, const RobotSettings& settings) {
+  (void)task_for(options, RobotDescription{});
+  return options.body(settings);
 }
 
 }  // namespace
@@ -59,8 +64,8 @@ RealBody connect_pioneer(const RobotSettings& settings) {
 RobotMission::RobotMission(const RobotMissionOptions& options)
     : options_(options),
       settings_(settings_for(options)),
-      executive_(task_for(options)),
-      body_(options.body(settings_)),
+      body_(body_for(options, settings_)),
+      executive_(task_for(options, body_.robot->description())),
       watched_(std::make_unique<StopwatchRobot>(*body_.robot)),
       cycle_(std::make_unique<CognitiveCycle>(*watched_, settings_, executive_)),
       began_(body_.robot->clock().now()),

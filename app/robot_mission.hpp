@@ -66,8 +66,8 @@ class RobotMission {
 
   RobotMissionOptions options_;
   RobotSettings settings_;
-  Executive executive_;
   RealBody body_;
+  Executive executive_;
   std::unique_ptr<StopwatchRobot> watched_;
   std::unique_ptr<CognitiveCycle> cycle_;
   std::uint64_t cycles_ = 0;

@@ -25,7 +25,7 @@ ReplayMission::ReplayMission(const ReplayOptions& options)
   const std::vector<std::string> names =
       knowledge ? knowledge->names() : std::vector<std::string>();
   executive_ = std::make_unique<Executive>(
-      load_task(options.task.empty() ? files.task() : options.task, RobotDescription{}, given,
+      load_task(options.task.empty() ? files.task() : options.task, body_.description(), given,
                 then.memory_known ? &names : nullptr));
   cycle_ = std::make_unique<CognitiveCycle>(body_, settings_, *executive_);
   if (!knowledge) return;
