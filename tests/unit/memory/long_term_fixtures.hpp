@@ -8,6 +8,7 @@
 #include "memory/long_term/memory_file.hpp"
 #include "memory/long_term/memory_tables.hpp"
 #include "memory/long_term/memory_writer.hpp"
+#include "memory/long_term/teaching.hpp"
 #include "tests/reference/temporary_folder.hpp"
 
 /// What the tests of the long-term memory share.
@@ -88,6 +89,16 @@ std::string sentence_of(Action action) {
     return error.what();
   }
   return "";
+}
+
+inline Taught teach_in_session(Opened& memory, const std::string& name,
+                               const std::vector<StoredView>& views,
+                               const LongTermSettings& settings = {}) {
+  const Session session =
+      memory.tables.sessions.begin(SessionKind::teach, "striate test", name, 1700000000);
+  const Taught taught = teach(memory.tables, session, name, views, settings);
+  memory.tables.sessions.end(session.id, 0.0, "kept");
+  return taught;
 }
 
 }  // namespace striate::memory_tests
