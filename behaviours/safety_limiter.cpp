@@ -10,6 +10,7 @@ constexpr double kSight_m = 1.4;
 constexpr double kStep_s = 0.05;
 constexpr double kHorizon_s = 2.0;
 constexpr double kDeeper_m = 0.004;  // nearer by this much is towards, not along
+constexpr double kExact_m = 1e-6;
 constexpr double kMoves_m_s = 0.01;
 
 double outer_speed(double forward_m_s, double turn_rad_s, double radius_m) {
@@ -65,7 +66,7 @@ double SafetyLimiter::allowed_share(double way_m, double speed_m_s) const {
 // Rolls the motion on and finds the first moment in which a point comes nearer to the outline
 // than `stop_m` and nearer than it is now.
 double SafetyLimiter::free_share(const std::vector<Point2>& points, const Motion& motion,
-                                 double stop_m) const {
+                                 double stop_m, Nearness nearness) const {
   const double radius_m = std::hypot(robot_.rear_m, robot_.half_width_m);
   const double speed = outer_speed(motion.forward_m_s, motion.turn_rad_s, radius_m);
   if (speed < kMoves_m_s) return 1.0;
@@ -74,10 +75,17 @@ double SafetyLimiter::free_share(const std::vector<Point2>& points, const Motion
     const double now_m = footprint_.distance_m(point);
     if (now_m < -0.02) continue;  // inside the robot: an error of the map, not a thing
     if (now_m - speed * first_s > stop_m) continue;
-    for (double t = kStep_s; t < first_s; t += kStep_s) {
+    // A patch of the map is 5 cm wide, so a little nearer to it means nothing. An echo is a point:
+    // the little would be taken anew in every cycle, and end in a touch. For the same reason the
+    // first step is looked at for every echo, whatever was found of the others.
+    const bool exact = nearness == Nearness::exact;
+    const double left = std::clamp(now_m / std::max(stop_m, kExact_m), 0.0, 1.0);
+    const double deeper_m = exact ? kDeeper_m * left + kExact_m : kDeeper_m;
+    const double until_s = exact ? std::max(first_s, 1.5 * kStep_s) : first_s;
+    for (double t = kStep_s; t < until_s; t += kStep_s) {
       const Pose2 pose = along_arc({}, motion.forward_m_s, motion.turn_rad_s, t);
       const double then_m = footprint_.distance_m(to_inner(pose, point));
-      if (then_m < stop_m && then_m < now_m - kDeeper_m) {
+      if (then_m < stop_m && then_m < now_m - deeper_m) {
         first_s = t - kStep_s;
         break;
       }
@@ -89,7 +97,7 @@ double SafetyLimiter::free_share(const std::vector<Point2>& points, const Motion
 void SafetyLimiter::limit_by_state(const Motion& motion, const Senses& senses,
                                    const ShortTermMemory& memory, Scale& scale) {
   gather_memory(memory);
-  const double share = free_share(remembered_, motion, settings_.stop_m);
+  const double share = free_share(remembered_, motion, settings_.stop_m, Nearness::rough);
   scale.lower(share, share < 0.05 ? LimitReason::memory_stop : LimitReason::slow_zone);
 
   const double age_s = memory.picture_age_s();
@@ -113,7 +121,7 @@ void SafetyLimiter::limit_by_emergency(const Motion& motion, const Senses& sense
     echoes_.clear();
     gather_echoes(senses.sonar);
     gather_echoes(senses.laser);
-    emergency.lower(free_share(echoes_, motion, settings_.emergency_stop_m),
+    emergency.lower(free_share(echoes_, motion, settings_.emergency_stop_m, Nearness::exact),
                     LimitReason::emergency_range);
   }
   if (senses.bumper || senses.motors_stalled) {

@@ -93,8 +93,9 @@ class SafetyLimiter {
   };
   void gather_memory(const ShortTermMemory& memory);
   void gather_echoes(const RangeScan& scan);
+  enum class Nearness : std::uint8_t { rough, exact };
   [[nodiscard]] double free_share(const std::vector<Point2>& points, const Motion& motion,
-                                  double stop_m) const;
+                                  double stop_m, Nearness nearness) const;
   [[nodiscard]] double allowed_share(double way_m, double speed_m_s) const;
   void limit_by_state(const Motion& motion, const Senses& senses, const ShortTermMemory& memory,
                       Scale& scale);

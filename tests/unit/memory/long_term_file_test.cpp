@@ -244,7 +244,10 @@ TEST(MemoryFile, AReaderAndAnEditGoOnWhileASessionWrites) {
 TEST(MemoryFile, IsCopiedWholeAlsoWhereItIsOpenedToRead) {
   const Folder folder;
   const std::string file = folder / "home.db";
-  add_landmark(Opened(file, Access::session).tables, "book", 1);
+  {
+    Opened memory(file, Access::session);
+    add_landmark(memory.tables, "book", 1);
+  }
   for (const Access access : {Access::read, Access::edit}) {
     const std::string copy = folder / (access == Access::read ? "read.db" : "edited.db");
     Opened(file, access).file.copy_to(copy);

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "memory/long_term/checksum.hpp"
+#include "memory/long_term/forgetting.hpp"
 #include "memory/long_term/merging.hpp"
 #include "tests/unit/memory/long_term_fixtures.hpp"
 
