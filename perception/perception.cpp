@@ -5,6 +5,7 @@
 
 #include "perception/noise_estimate.hpp"
 #include "perception/obstacles/wall_completion.hpp"
+#include "perception/stereo/shrink_by_four.hpp"
 
 namespace striate {
 namespace {
@@ -13,6 +14,13 @@ cv::Mat1b grey_of(const cv::Mat3b& picture) {
   cv::Mat1b grey;
   cv::cvtColor(picture, grey, cv::COLOR_BGR2GRAY);
   return grey;
+}
+
+cv::Mat3b colour_at(const cv::Mat3b& picture, const cv::Size& size) {
+  if (is_four_times(picture, size.width)) return means_of_fours(picture);
+  cv::Mat3b colour;
+  cv::resize(picture, colour, size, 0, 0, cv::INTER_AREA);
+  return colour;
 }
 
 /// The camera of `frame` at the working size; pixel centres are at integers.
@@ -83,8 +91,7 @@ Percept Perception::see(const StereoFrame& frame, const std::optional<Pose2>& ba
                         percept.moving);
   }
   if (pictures_ % settings_.saliency_every == 0) {
-    cv::Mat3b colour;
-    cv::resize(frame.left, colour, left.size(), 0, 0, cv::INTER_AREA);
+    const cv::Mat3b colour = colour_at(frame.left, left.size());
     percept.saliency = saliency_finder_.find(colour, percept.disparity,
                                              ViewGeometry(percept.disparity, frame.head, robot_));
   }

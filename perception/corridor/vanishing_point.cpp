@@ -69,17 +69,22 @@ struct Aligned {
 /// The edges that point to (u, horizon), in their order, each with its ray from there.
 void find_aligned(const std::vector<EdgePoint>& edges, double u_px, double v_px,
                   std::vector<Aligned>& aligned) {
-  aligned.clear();
+  aligned.resize(edges.size());
+  std::size_t count = 0;
   const auto u = static_cast<float>(u_px);
   const auto v = static_cast<float>(v_px);
+  // Written in any case, and overwritten by the next where it does not count: a branch here would
+  // be guessed wrong half of the time.
   for (const EdgePoint& e : edges) {
     const float du = e.u_px - u;
     const float dv = e.v_px - v;
     const float miss = du * e.normal_u + dv * e.normal_v;
     const float reach2 = du * du + dv * dv;
-    if (miss * miss > kAligned * kAligned * reach2) continue;
-    aligned.push_back({&e, ray_of(du, dv)});
+    aligned[count].edge = &e;
+    count += miss * miss <= kAligned * kAligned * reach2 ? 1 : 0;
   }
+  aligned.resize(count);
+  for (Aligned& a : aligned) a.ray = ray_of(a.edge->u_px - u, a.edge->v_px - v);
 }
 
 /// Length of aligned edge in every direction.

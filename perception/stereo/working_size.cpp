@@ -3,6 +3,7 @@
 #include <opencv2/imgproc.hpp>
 #include <stdexcept>
 
+#include "perception/stereo/shrink_by_four.hpp"
 #include "perception/stereo/stereo_matcher.hpp"
 
 namespace striate {
@@ -30,14 +31,17 @@ void resize_to(const cv::Mat& from, int width, cv::Mat& to) {
 cv::Mat1b to_working_size(const cv::Mat& picture, int width) {
   const cv::Mat1b grey = grey_of(picture, width);
   if (grey.cols == width) return grey.clone();
+  if (is_four_times(grey, width)) return means_of_fours(grey);
   cv::Mat1b result;
   resize_to(grey, width, result);
   return result;
 }
 
 cv::Mat1w to_fine_working_size(const cv::Mat& picture, int width) {
+  const cv::Mat1b grey = grey_of(picture, width);
+  if (is_four_times(grey, width)) return sums_of_fours(grey);
   cv::Mat1w fine;
-  grey_of(picture, width).convertTo(fine, CV_16U, 16.0);
+  grey.convertTo(fine, CV_16U, 16.0);
   if (fine.cols == width) return fine;
   cv::Mat1w result;
   resize_to(fine, width, result);

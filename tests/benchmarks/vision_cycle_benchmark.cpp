@@ -6,13 +6,14 @@
 #include "perception/perception.hpp"
 #include "perception/recognition/oriented_keypoints.hpp"
 #include "perception/recognition/recogniser.hpp"
+#include "perception/stereo/shrink_by_four.hpp"
 #include "tests/benchmarks/in_turns.hpp"
 #include "tests/reference/test_pictures.hpp"
 
-/// vision_cycle_benchmark: all of seeing on one core, in every picture: robust stereo at 160x120,
-/// obstacles, corridor, saliency, keypoints at 640x480, Striate's own descriptor for those in the
-/// salient regions, and their recognition against 50 landmarks with 5 views of 150 descriptors; and
-/// its stages by themselves.
+/// vision_cycle_benchmark: seeing and recognising on one core, in every picture: robust stereo at
+/// 160x120, saliency, keypoints at 640x480, Striate's own descriptor for those in the salient
+/// regions, and their recognition against 50 landmarks with 5 views of 150 descriptors; the same
+/// with obstacles and the corridor, which is all that the robot does; and the stages by themselves.
 namespace striate {
 namespace {
 
@@ -64,18 +65,26 @@ Recogniser taught() {
 }
 
 /// The keypoints that lie in any salient region; regions are at the working size.
-void keep_salient(const Percept& percept, std::vector<Keypoint>& salient) {
-  const double zoom = 640.0 / percept.saliency.salience.cols;
+void keep_salient(const std::vector<Keypoint>& keypoints, const SaliencyMap& saliency,
+                  std::vector<Keypoint>& salient) {
+  const double zoom = 640.0 / saliency.salience.cols;
   salient.clear();
-  for (const Keypoint& point : percept.keypoints) {
+  for (const Keypoint& point : keypoints) {
     const double u = (point.u_px + 0.5) / zoom - 0.5, v = (point.v_px + 0.5) / zoom - 0.5;
-    for (const SalientRegion& region : percept.saliency.regions) {
+    for (const SalientRegion& region : saliency.regions) {
       if (std::abs(u - region.u_px) > region.width_px / 2) continue;
       if (std::abs(v - region.v_px) > region.height_px / 2) continue;
       salient.push_back(point);
       break;
     }
   }
+}
+
+void count_cycles(benchmark::State& state, std::size_t salient, std::size_t described) {
+  state.counters["salient keypoints"] = static_cast<double>(salient);
+  state.counters["descriptors"] = static_cast<double>(described);
+  state.counters["cycles/s"] =
+      benchmark::Counter(static_cast<double>(state.iterations()), benchmark::Counter::kIsRate);
 }
 
 void whole_cycle(benchmark::State& state) {
@@ -87,15 +96,36 @@ void whole_cycle(benchmark::State& state) {
   cv::Mat1b grey;
   for (auto _ : state) {
     const Percept percept = perception.see(pictures);
-    keep_salient(percept, salient);
+    keep_salient(percept.keypoints, percept.saliency, salient);
     cv::cvtColor(pictures.left, grey, cv::COLOR_BGR2GRAY);
     oriented.describe(grey, salient, described);
     benchmark::DoNotOptimize(recogniser.recognise(described).size());
   }
-  state.counters["salient keypoints"] = static_cast<double>(salient.size());
-  state.counters["descriptors"] = static_cast<double>(described.size());
-  state.counters["cycles/s"] =
-      benchmark::Counter(static_cast<double>(state.iterations()), benchmark::Counter::kIsRate);
+  count_cycles(state, salient.size(), described.size());
+}
+
+/// From two colour pictures to what is recognised, without obstacles and corridor.
+void stereo_to_recognition(benchmark::State& state) {
+  StereoMatcher matcher(StereoSettings{});
+  SaliencyFinder saliency_finder(in_every_picture().saliency);
+  KeypointFinder finder{KeypointSettings{}};
+  Recogniser recogniser = taught();
+  OrientedKeypoints oriented(OrientedSettings{});
+  const StereoFrame pictures = frame();
+  std::vector<Keypoint> found, salient, described;
+  cv::Mat1b grey;
+  DisparityMap map;
+  for (auto _ : state) {
+    cv::cvtColor(pictures.left, grey, cv::COLOR_BGR2GRAY);
+    matcher.match(to_fine_working_size(grey, 160), to_fine_working_size(pictures.right, 160), map);
+    const SaliencyMap saliency =
+        saliency_finder.find(means_of_fours(pictures.left), map, ViewGeometry(map, {}, {}));
+    finder.find(grey, found);
+    keep_salient(found, saliency, salient);
+    oriented.describe(grey, salient, described);
+    benchmark::DoNotOptimize(recogniser.recognise(described).size());
+  }
+  count_cycles(state, salient.size(), described.size());
 }
 
 void seeing_without(benchmark::State& state, bool keypoints) {
@@ -108,8 +138,8 @@ void seeing_without(benchmark::State& state, bool keypoints) {
 
 void stereo(benchmark::State& state) {
   StereoMatcher matcher(StereoSettings{});
-  const cv::Mat1b left = to_working_size(frame().left, 160);
-  const cv::Mat1b right = to_working_size(frame().right, 160);
+  const cv::Mat1w left = to_fine_working_size(frame().left, 160);
+  const cv::Mat1w right = to_fine_working_size(frame().right, 160);
   DisparityMap map;
   for (auto _ : state) matcher.match(left, right, map);
 }
@@ -139,7 +169,8 @@ void keypoints(benchmark::State& state) {
 std::vector<Keypoint> salient_keypoints() {
   Perception perception(in_every_picture(), {});
   std::vector<Keypoint> salient;
-  keep_salient(perception.see(frame()), salient);
+  const Percept percept = perception.see(frame());
+  keep_salient(percept.keypoints, percept.saliency, salient);
   return salient;
 }
 
@@ -179,7 +210,8 @@ int main(int argc, char** argv) {
   auto add = [](const char* name, const auto& function) {
     benchmark::RegisterBenchmark(name, function)->Unit(benchmark::kMillisecond);
   };
-  add("whole cycle", striate::whole_cycle);
+  add("stereo to recognition", striate::stereo_to_recognition);
+  add("the same, with obstacles and corridor", striate::whole_cycle);
   add("seeing", [](auto& state) { striate::seeing_without(state, true); });
   add("seeing without keypoints", [](auto& state) { striate::seeing_without(state, false); });
   add("stereo 160x120, robust", striate::stereo);

@@ -293,17 +293,5 @@ TEST(StereoScore, IsLowWhereAnotherDisparityIsAsGood) {
             promise_of(stereo_confidence({200, 0, 0, 0, 40000}, StereoConfidence::score)));
 }
 
-TEST(WorkingSize, IsTheMeanOfTheAreaThatAPixelCovers) {
-  cv::Mat1b picture(8, 8, std::uint8_t{0});
-  picture.colRange(0, 2).setTo(100);
-  const cv::Mat1b half = to_working_size(picture, 2);
-  EXPECT_EQ(half.size(), cv::Size(2, 2));
-  EXPECT_EQ(half(0, 0), 50);
-  EXPECT_EQ(half(0, 1), 0);
-  EXPECT_EQ(to_working_size(cv::Mat3b(480, 640, cv::Vec3b(9, 9, 9)), 160).size(), kSize);
-  EXPECT_THROW(to_working_size(cv::Mat(), 160), std::invalid_argument);
-  EXPECT_THROW(to_working_size(cv::Mat1f(4, 4), 160), std::invalid_argument);
-}
-
 }  // namespace
 }  // namespace striate
