@@ -84,4 +84,9 @@ std::string stood_for(const RunResult& result) {
   return result.longest_stand_why.empty() ? "" : " (" + result.longest_stand_why + ")";
 }
 
+int exit_code_of(const RunResult& result) {
+  if (result.outcome == "success") return 0;
+  return result.outcome == "interrupted" ? 130 : 1;
+}
+
 }  // namespace striate

@@ -53,4 +53,7 @@ struct RunResult {
 /// " (why)" of the longest stand; empty where nothing is to be said.
 [[nodiscard]] std::string stood_for(const RunResult& result);
 
+/// What `striate` ends with: 0 success, 130 interrupted, 1 anything else.
+[[nodiscard]] int exit_code_of(const RunResult& result);
+
 }  // namespace striate

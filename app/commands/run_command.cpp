@@ -79,11 +79,6 @@ void print_summary(const RunResult& result, const RunOptions& options) {
   if (!options.pictures.empty()) fmt::print("  pictures          {}\n", options.pictures);
 }
 
-int exit_code_of(const RunResult& result) {
-  if (result.outcome == "success") return 0;
-  return result.outcome == "interrupted" ? 130 : 1;
-}
-
 int run(const RunOptions& given) {
   RunOptions options = given;
   if (!options.memory.empty()) options.mission.knowledge = read_mission_knowledge(options.memory);

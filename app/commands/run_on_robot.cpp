@@ -59,11 +59,6 @@ std::string json_of(const RunResult& result) {
   return json.dump(2) + "\n";
 }
 
-int exit_code_of(const RunResult& result) {
-  if (result.outcome == "success") return 0;
-  return result.outcome == "interrupted" ? 130 : 1;
-}
-
 }  // namespace
 
 int run_on_robot(const RunOnRobotOptions& options) {
