@@ -13,9 +13,6 @@
 namespace striate {
 namespace {
 
-constexpr double kStands_m_s = 0.01;
-constexpr double kStands_rad_s = 0.02;
-
 RobotSettings settings_for(const MissionOptions& options) {
   RobotSettings settings = load_robot_settings(options.robot);
   if (!options.emergency_layer) settings.safety.emergency_layer = false;
@@ -79,7 +76,8 @@ Mission::Mission(const MissionOptions& options)
           true_pictures_ ? static_cast<simulator::PictureSource*>(true_pictures_.get())
                          : pictures_.get())),
       watched_(std::make_unique<StopwatchRobot>(*body_)),
-      cycle_(std::make_unique<CognitiveCycle>(*watched_, settings_, executive_)) {
+      cycle_(std::make_unique<CognitiveCycle>(*watched_, settings_, executive_)),
+      stand_(body_->clock().now()) {
   if (disparities_) cycle_->see_with(*disparities_);
   if (!options_.knowledge) return;
   hand_over(std::move(*options_.knowledge), executive_.task(), settings_.long_term_memory, *cycle_);
@@ -107,16 +105,8 @@ RunResult Mission::run(const EachCycle& each_cycle) {
 }
 
 void Mission::one_cycle_on() {
-  const Odometry& odometry = cycle_->trace().senses.odometry;
-  const bool stands =
-      std::abs(odometry.forward_m_s) < kStands_m_s && std::abs(odometry.turn_rad_s) < kStands_rad_s;
-  stands_s_ = stands ? stands_s_ + to_seconds(body_->description().cycle) : 0.0;
-  if (stands_s_ > longest_stand_s_) {
-    longest_stand_s_ = stands_s_;
-    longest_stand_why_ = cycle_->trace().wish.why;
-    longest_stand_limit_ = cycle_->trace().limited_by;
-  }
-  trail_.add(odometry.pose);
+  stand_.look(cycle_->trace());
+  trail_.add(cycle_->trace().senses.odometry.pose);
 }
 
 /// Ends the task from outside, so after everybody has seen the cycle as it was.
@@ -179,8 +169,8 @@ RunResult Mission::result() const {
     result.from_start_m = std::hypot(end.x_m - start.x_m, end.y_m - start.y_m);
   }
   result.emergency_stops = cycle_->limiter().emergency_stops();
-  result.longest_stand_s = longest_stand_s_;
-  result.longest_stand_why = doing_text(longest_stand_why_, longest_stand_limit_);
+  result.longest_stand_s = stand_.time_s();
+  result.longest_stand_why = stand_.why();
   result.cycles = cycles_;
   result.mean_cycle_ms = mean_cycle_ms();
   result.realtime_factor = realtime_factor();

@@ -10,6 +10,7 @@
 #include "app/baselines/true_depth_pictures.hpp"
 #include "app/cognitive_cycle.hpp"
 #include "app/drawn_trail.hpp"
+#include "app/longest_stand.hpp"
 #include "app/memory/landmark_knowledge.hpp"
 #include "app/run_result.hpp"
 #include "app/stopwatch_robot.hpp"
@@ -79,11 +80,8 @@ class Mission {
   std::unique_ptr<StopwatchRobot> watched_;
   std::unique_ptr<CognitiveCycle> cycle_;
   DrawnTrail trail_;
+  LongestStand stand_;
   std::uint64_t cycles_ = 0;
-  double stands_s_ = 0.0;
-  double longest_stand_s_ = 0.0;
-  ShortText longest_stand_why_;
-  LimitReason longest_stand_limit_ = LimitReason::none;
   double wall_s_ = 0.0;
   std::string lost_;  ///< why the body was lost; empty: it was not
 };

@@ -12,9 +12,6 @@
 namespace striate {
 namespace {
 
-constexpr double kStands_m_s = 0.01;
-constexpr double kStands_rad_s = 0.02;
-
 RobotSettings settings_for(const RobotMissionOptions& options) {
   RobotSettings settings = load_robot_settings(options.robot);
   if (!options.emergency_layer) settings.safety.emergency_layer = false;
@@ -69,7 +66,7 @@ RobotMission::RobotMission(const RobotMissionOptions& options)
       watched_(std::make_unique<StopwatchRobot>(*body_.robot)),
       cycle_(std::make_unique<CognitiveCycle>(*watched_, settings_, executive_)),
       began_(body_.robot->clock().now()),
-      stands_since_(began_) {
+      stand_(began_) {
   if (!options_.knowledge) return;
   hand_over(std::move(*options_.knowledge), executive_.task(), settings_.long_term_memory, *cycle_);
   options_.knowledge.reset();
@@ -100,15 +97,7 @@ void RobotMission::one_cycle_on() {
     driven_m_ += std::hypot(odometry.pose.x_m - last_pose_.x_m, odometry.pose.y_m - last_pose_.y_m);
   }
   last_pose_ = odometry.pose;
-  const bool stands =
-      std::abs(odometry.forward_m_s) < kStands_m_s && std::abs(odometry.turn_rad_s) < kStands_rad_s;
-  if (!stands) stands_since_ = senses.now;
-  const double stands_s = to_seconds(senses.now - stands_since_);
-  if (stands_s > longest_stand_s_) {
-    longest_stand_s_ = stands_s;
-    longest_stand_why_ = cycle_->trace().wish.why;
-    longest_stand_limit_ = cycle_->trace().limited_by;
-  }
+  stand_.look(cycle_->trace());
 }
 
 double RobotMission::mean_cycle_ms() const {
@@ -137,8 +126,8 @@ RunResult RobotMission::result() const {
   result.distance_m = driven_m_;
   result.duration_s = to_seconds(body_.robot->clock().now() - began_);
   result.emergency_stops = cycle_->limiter().emergency_stops();
-  result.longest_stand_s = longest_stand_s_;
-  result.longest_stand_why = doing_text(longest_stand_why_, longest_stand_limit_);
+  result.longest_stand_s = stand_.time_s();
+  result.longest_stand_why = stand_.why();
   result.cycles = cycles_;
   result.mean_cycle_ms = mean_cycle_ms();
   result.realtime_factor = 1.0;

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "app/cognitive_cycle.hpp"
+#include "app/longest_stand.hpp"
 #include "app/memory/landmark_knowledge.hpp"
 #include "app/run_result.hpp"
 #include "app/stopwatch_robot.hpp"
@@ -75,10 +76,7 @@ class RobotMission {
   double driven_m_ = 0.0;
   Pose2 last_pose_;
   TimePoint began_;
-  TimePoint stands_since_;
-  double longest_stand_s_ = 0.0;
-  ShortText longest_stand_why_;
-  LimitReason longest_stand_limit_ = LimitReason::none;
+  LongestStand stand_;
   std::string lost_;  ///< why the robot was lost; empty: it was not
 };
 

@@ -15,20 +15,8 @@ constexpr Duration kLongestTelegram = std::chrono::milliseconds(500);
 
 }  // namespace
 
-void LmsDriver::say(const Bytes& bytes, Step step, TimePoint now) {
-  append(output_, bytes);
-  step_ = step;
-  said_at_ = now;
-}
-
-Bytes LmsDriver::take_output() {
-  Bytes bytes;
-  bytes.swap(output_);
-  return bytes;
-}
-
 void LmsDriver::close() {
-  say(lms200::continuous(false), Step::closed, said_at_);
+  talk_.say(lms200::continuous(false), Step::closed, talk_.said_at());
 }
 
 void LmsDriver::receive(ByteView bytes, TimePoint now) {
@@ -47,20 +35,18 @@ void LmsDriver::take(const lms200::Telegram& telegram, TimePoint now) {
   const auto says = [&](std::uint8_t wanted, std::uint8_t result) {
     return kind == wanted && data.size() > 1 && data[1] == result;
   };
-  switch (step_) {
+  switch (talk_.step()) {
     case Step::variant:
-      if (says(kVariantSet, 1)) say(lms200::install_mode(), Step::install, now);
+      if (says(kVariantSet, 1)) talk_.say(lms200::install_mode(), Step::install, now);
       return;
     case Step::install:
-      if (says(kDone, 0)) say(lms200::set_millimetres(), Step::unit, now);
+      if (says(kDone, 0)) talk_.say(lms200::set_millimetres(), Step::unit, now);
       return;
     case Step::unit:
-      if (says(kConfigured, 1)) say(lms200::continuous(true), Step::start, now);
+      if (says(kConfigured, 1)) talk_.say(lms200::continuous(true), Step::start, now);
       return;
     case Step::start:
-      if (!says(kDone, 0)) return;
-      step_ = Step::scan;
-      scanned_at_ = now;
+      if (says(kDone, 0)) talk_.expect_scans(now);
       return;
     case Step::scan:
       take_scan(telegram, now);
@@ -74,13 +60,11 @@ void LmsDriver::take(const lms200::Telegram& telegram, TimePoint now) {
 void LmsDriver::take_scan(const lms200::Telegram& telegram, TimePoint now) {
   const auto scan = lms200::read_scan(telegram);
   if (!scan || scan->ranges_m.size() < 2) return;
-  scanned_at_ = now;
-  scan_.stamp = now - kScanAge;
-  scan_.readings.clear();
+  RangeScan& seen = talk_.begin_scan(now - kScanAge, now);
   const auto last = static_cast<double>(scan->ranges_m.size() - 1);
   for (std::size_t i = 0; i < scan->ranges_m.size(); ++i) {
     const double bearing_rad = radians(-90.0 + 180.0 * static_cast<double>(i) / last);
-    scan_.readings.push_back(axle_ray(settings_.forward_m, bearing_rad, scan->ranges_m[i]));
+    seen.readings.push_back(axle_ray(talk_.settings().forward_m, bearing_rad, scan->ranges_m[i]));
   }
 }
 
@@ -90,24 +74,7 @@ void LmsDriver::tick(TimePoint now) {
     incomplete_ = false;
     receive({}, now);
   }
-  switch (step_) {
-    case Step::closed:
-      return;
-    case Step::begin:
-      break;
-    case Step::scan:
-      if (now - scanned_at_ < from_seconds(settings_.begin_again_after_s)) return;
-      break;
-    default:
-      if (now - said_at_ < from_seconds(settings_.reply_patience_s)) return;
-  }
-  ++set_ups_;
-  say(lms200::set_variant(180, 100), Step::variant, now);
-}
-
-RangeScan LmsDriver::scan(TimePoint now) const {
-  if (now - scan_.stamp > from_seconds(settings_.stale_after_s)) return {};
-  return scan_;
+  if (talk_.begins(now)) talk_.say(lms200::set_variant(180, 100), Step::variant, now);
 }
 
 }  // namespace striate::pioneer

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "platform/interface/senses.hpp"
-#include "platform/pioneer/laser/laser_settings.hpp"
+#include "platform/pioneer/laser/laser_conversation.hpp"
 #include "platform/pioneer/laser/scip.hpp"
 
 namespace striate::pioneer {
@@ -13,20 +13,20 @@ namespace striate::pioneer {
 /// it falls silent, as after its plug was out. Pure: bytes and times go in, bytes come out.
 class UrgDriver {
  public:
-  explicit UrgDriver(const LaserSettings& settings) : settings_(settings) {}
+  explicit UrgDriver(const LaserSettings& settings) : talk_(settings) {}
 
   void receive(ByteView bytes, TimePoint now);
   void tick(TimePoint now);
-  [[nodiscard]] Bytes take_output();
+  [[nodiscard]] Bytes take_output() { return talk_.take_output(); }
   /// Laser off.
   void close();
 
   /// The newest scan seen from the axle; empty when it is stale. Its stamp is the first ray's.
-  [[nodiscard]] RangeScan scan(TimePoint now) const;
+  [[nodiscard]] RangeScan scan(TimePoint now) const { return talk_.scan(now); }
   [[nodiscard]] bool scanning(TimePoint now) const { return !scan(now).readings.empty(); }
   [[nodiscard]] const scip::Parameters& parameters() const { return parameters_; }
   [[nodiscard]] const scip::Counters& counters() const { return stream_.counters(); }
-  [[nodiscard]] std::uint64_t set_ups() const { return set_ups_; }
+  [[nodiscard]] std::uint64_t set_ups() const { return talk_.set_ups(); }
 
  private:
   /// What has been said and waits for its reply.
@@ -35,15 +35,9 @@ class UrgDriver {
   void take(const scip::Reply& reply, TimePoint now);
   void take_scan(const scip::Reply& reply, TimePoint now);
 
-  LaserSettings settings_;
+  LaserConversation<Step> talk_;
   scip::ReplyStream stream_;
   scip::Parameters parameters_;
-  Bytes output_;
-  Step step_ = Step::begin;
-  TimePoint said_at_;
-  RangeScan scan_;
-  TimePoint scanned_at_;
-  std::uint64_t set_ups_ = 0;
 };
 
 }  // namespace striate::pioneer
