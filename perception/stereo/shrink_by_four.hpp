@@ -12,7 +12,7 @@ namespace striate {
 [[nodiscard]] cv::Mat sums_of_fours(const cv::Mat& picture);
 
 /// Means over 4 x 4 pixels: bit for bit what cv::resize with INTER_AREA gives (a half goes to the
-/// even neighbour), in a fifth of its time, since OpenCV has vectors for halving only.
+/// even neighbour); quicker, since OpenCV 4.6 has vectors for halving only.
 /// @param picture as for sums_of_fours.
 [[nodiscard]] cv::Mat means_of_fours(const cv::Mat& picture);
 
