@@ -8,7 +8,7 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "tests/scenarios/striate_process.hpp"
+#include "tests/scenarios/taught_memory.hpp"
 
 namespace striate::scenarios {
 namespace {
@@ -17,40 +17,8 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
-/// A print of blots, another for each seed.
-std::string picture_of_a_thing(const TemporaryFolder& folder, int seed) {
-  cv::Mat3b picture(240, 320, cv::Vec3b(200, 200, 200));
-  cv::RNG random(static_cast<std::uint64_t>(seed) + 1);
-  for (int k = 0; k < 120; ++k) {
-    const cv::Point at(random.uniform(10, 310), random.uniform(10, 230));
-    const cv::Scalar colour(random.uniform(0, 256), random.uniform(0, 256), random.uniform(0, 256));
-    cv::rectangle(picture, at, at + cv::Point(random.uniform(6, 40), random.uniform(6, 30)), colour,
-                  cv::FILLED);
-  }
-  const std::string file = folder / ("thing_" + std::to_string(seed) + ".png");
-  cv::imwrite(file, picture);
-  return file;
-}
-
 void execute(const std::string& file, const std::string& sql) {
   SQLite::Database(file, SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE).exec(sql);
-}
-
-Ended memory(const std::string& file, std::vector<std::string> words) {
-  words.insert(words.begin(), {"memory", file});
-  return striate(words);
-}
-
-nlohmann::json memory_json(const std::string& file, std::vector<std::string> words) {
-  words.emplace_back("--json");
-  const Ended ended = memory(file, words);
-  EXPECT_EQ(ended.exit_code, 0) << ended.err;
-  return nlohmann::json::parse(ended.out);
-}
-
-void teach(const std::string& file, const std::string& name, const std::string& picture) {
-  const Ended ended = striate({"teach", name, "--image", picture, "--memory", file});
-  EXPECT_EQ(ended.exit_code, 0) << ended.err;
 }
 
 TEST(Teach, FromPicturesAndAFolderThenLookedInto) {
@@ -233,79 +201,6 @@ TEST(MemoryCommand, AFullDiskIsSaidAndWhatWasTaughtBeforeIsThere) {
   EXPECT_EQ(run.exit_code, 2);
   EXPECT_THAT(run.err, HasSubstr("there is no room left"));
   umount(disk.c_str());
-}
-
-/// A mission that stands for a while, started and not waited for.
-pid_t start_mission(const std::string& task, const std::string& file) {
-  const pid_t child = fork();
-  if (child == 0) {
-    if (chdir(STRIATE_SOURCE_DIR) != 0) _exit(99);
-    execl(STRIATE_BINARY, "striate", "run", task.c_str(), "--world", "config/worlds/empty.yaml",
-          "--quiet", "--memory", file.c_str(), nullptr);
-    _exit(98);
-  }
-  return child;
-}
-
-TEST(MissionMemory, CanBeLookedIntoWhileItRunsAndSurvivesKillNine) {
-  const TemporaryFolder folder;
-  const std::string file = folder / "home.db";
-  const std::string task = folder.write("t.yaml", "striate: 1\ndo:\n  - wait: {for: 600 s}\n");
-  teach(file, "book", picture_of_a_thing(folder, 1));
-  const pid_t mission = start_mission(task, file);
-  nlohmann::json episodes;
-  for (int k = 0; k < 300 && episodes.size() < 2; ++k) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(100));
-    episodes = memory_json(file, {"episodes"});
-  }
-  EXPECT_EQ(episodes.back().at("kind"), "start");
-  EXPECT_EQ(memory_json(file, {"list"}).size(), 1U);
-  EXPECT_EQ(memory(file, {"forget", "book"}).exit_code, 0);
-  EXPECT_THAT(striate({"teach", "x", "--image", folder / "thing_1.png", "--memory", file}).err,
-              AllOf(HasSubstr("striate run (process"), HasSubstr("is writing into this memory")));
-  kill(mission, SIGKILL);
-  waitpid(mission, nullptr, 0);
-  const Ended next =
-      striate({"teach", "cup", "--image", picture_of_a_thing(folder, 2), "--memory", file});
-  EXPECT_EQ(next.exit_code, 0);
-  EXPECT_THAT(next.err,
-              AllOf(HasSubstr("(mission) ended without closing"), HasSubstr("found no damage")));
-  EXPECT_EQ(memory_json(file, {"list", "--all"}).size(), 2U);
-}
-
-TEST(MissionMemory, ATaskThatNeedsALandmarkIsCheckedAgainstIt) {
-  const TemporaryFolder folder;
-  const std::string file = folder / "home.db";
-  const std::string task =
-      folder.write("t.yaml", "striate: 1\nneeds: {landmarks: [book]}\ndo:\n  - wait: {for: 1 s}\n");
-  const auto run = [&] {
-    return striate(
-        {"run", task, "--world", "config/worlds/empty.yaml", "--quiet", "--memory", file});
-  };
-  EXPECT_EQ(run().exit_code, 2);
-  EXPECT_FALSE(std::filesystem::exists(file));
-  teach(file, "bok", picture_of_a_thing(folder, 1));
-  EXPECT_THAT(run().err, HasSubstr("the memory knows no landmark 'book'"));
-  teach(file, "book", picture_of_a_thing(folder, 2));
-  EXPECT_EQ(run().exit_code, 0);
-}
-
-TEST(MissionMemory, KeepsStartAndEndAndTheOperatingTime) {
-  const TemporaryFolder folder;
-  const std::string file = folder / "home.db";
-  const std::string task = folder.write("t.yaml", "striate: 1\ndo:\n  - wait: {for: 2 s}\n");
-  for (int run = 0; run < 2; ++run) {
-    const Ended ended =
-        striate({"run", task, "--world", "config/worlds/empty.yaml", "--quiet", "--memory", file});
-    EXPECT_EQ(ended.exit_code, 0);
-    EXPECT_EQ(ended.err, "");
-  }
-  const nlohmann::json episodes = memory_json(file, {"episodes"});
-  ASSERT_EQ(episodes.size(), 4U);
-  EXPECT_EQ(episodes[1].at("kind"), "end");
-  EXPECT_THAT(episodes[1].at("text").get<std::string>(), HasSubstr("success"));
-  EXPECT_GE(episodes[2].at("time_s"), 2.0);
-  EXPECT_EQ(episodes[2].at("time_s"), episodes[1].at("time_s"));
 }
 
 }  // namespace

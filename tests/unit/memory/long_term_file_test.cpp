@@ -1,8 +1,6 @@
 #include <SQLiteCpp/Transaction.h>
-#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <sys/stat.h>
 
 #include <atomic>
 #include <fstream>
@@ -20,37 +18,10 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-const schema::Step kNextStep = {schema::kVersion + 1,
-                                "ALTER TABLE landmark ADD COLUMN colour TEXT NOT NULL DEFAULT ''"};
-
-MemoryOptions with_next_version(Access access) {
-  MemoryOptions given = options(access);
-  given.version = schema::kVersion + 1;
-  given.steps = {&kNextStep, 1};
-  return given;
-}
-
 void execute(const std::string& path, const std::string& sql) {
   SQLite::Database database(path, SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
   database.exec(sql);
 }
-
-/// As whom permissions hold; the superuser may write everywhere.
-class AsNobody {
- public:
-  AsNobody() : superuser_(geteuid() == 0) {
-    if (superuser_) is_ = seteuid(65534) == 0;
-  }
-  ~AsNobody() {
-    if (superuser_) is_ = seteuid(0) == 0;
-  }
-  AsNobody(const AsNobody&) = delete;
-  AsNobody& operator=(const AsNobody&) = delete;
-
- private:
-  bool superuser_;
-  bool is_ = true;
-};
 
 TEST(MemoryFile, AFreshMemoryTellsWhatItIs) {
   const Folder folder;
@@ -146,59 +117,6 @@ TEST(MemoryFile, AFlippedByteInADescriptorIsFoundAndNamed) {
   EXPECT_EQ(damaged, 1);
 }
 
-TEST(MemoryFile, ANewerVersionIsOfferedReadOnly) {
-  const Folder folder;
-  const std::string file = folder / "home.db";
-  {
-    Opened memory(file, with_next_version(Access::session));
-    add_landmark(memory.tables, "book", 1);
-  }
-  EXPECT_THAT(sentence_of([&] { Opened(file, Access::session); }),
-              AllOf(HasSubstr("version 2, newer than this program's 1"), HasSubstr("can be read")));
-  EXPECT_THAT(sentence_of([&] { Opened(file, Access::edit); }), HasSubstr("newer"));
-  Opened memory(file, Access::read);
-  EXPECT_THAT(memory.file.notices(), ElementsAre(HasSubstr("only read")));
-  EXPECT_TRUE(memory.tables.landmarks.find("book").has_value());
-}
-
-TEST(MemoryFile, AnOlderVersionIsBackedUpAndMigrated) {
-  for (const Access access : {Access::session, Access::read}) {
-    const Folder folder;
-    const std::string file = folder / "home.db";
-    {
-      Opened memory(file, Access::session);
-      add_landmark(memory.tables, "book", 1);
-    }
-    Opened memory(file, with_next_version(access));
-    EXPECT_THAT(memory.file.notices(),
-                ElementsAre(AllOf(HasSubstr("from version 1 to 2"), HasSubstr("v1.backup"))));
-    EXPECT_EQ(memory.file.database().execAndGet("PRAGMA user_version").getInt(), 2);
-    EXPECT_EQ(memory.file.database().execAndGet("SELECT colour FROM landmark").getString(), "");
-    EXPECT_EQ(memory.file.database().execAndGet("SELECT version FROM migration").getInt(), 2);
-    Opened backup(file + ".v1.backup", Access::read);
-    EXPECT_TRUE(backup.tables.landmarks.find("book").has_value());
-  }
-}
-
-TEST(MemoryFile, AMigrationThatFailsLeavesTheFileAsItWas) {
-  const Folder folder;
-  const std::string file = folder / "home.db";
-  {
-    Opened memory(file, Access::session);
-    add_landmark(memory.tables, "book", 1);
-  }
-  const schema::Step bad = {2,
-                            "UPDATE landmark SET name = 'gone'; ALTER TABLE absent ADD COLUMN x"};
-  MemoryOptions given = options(Access::session);
-  given.version = 2;
-  given.steps = {&bad, 1};
-  EXPECT_THAT(sentence_of([&] { Opened(file, given); }), HasSubstr("no such table"));
-  given.steps = {};
-  EXPECT_THAT(sentence_of([&] { Opened(file, given); }), HasSubstr("no way from it to version 2"));
-  Opened memory(file, Access::session);
-  EXPECT_TRUE(memory.tables.landmarks.find("book").has_value());
-}
-
 TEST(MemoryFile, TheSecondWriterIsToldWhoTheFirstIs) {
   const Folder folder;
   const std::string file = folder / "home.db";
@@ -256,74 +174,6 @@ TEST(MemoryFile, IsCopiedWholeAlsoWhereItIsOpenedToRead) {
   Opened reader(file, Access::read);
   reader.file.copy_to(folder / "third.db");
   EXPECT_THROW(reader.file.database().exec("DELETE FROM landmark"), SQLite::Exception);
-}
-
-TEST(MemoryFile, AReadOnlyFolderCanBeReadAndSaysWhyItCannotBeWritten) {
-  const Folder folder;
-  const std::string file = folder / "home.db";
-  {
-    Opened memory(file, Access::session);
-    add_landmark(memory.tables, "book", 1);
-  }
-  std::filesystem::remove(file + "-lock");
-  chmod(file.c_str(), 0444);
-  chmod(folder.path().c_str(), 0555);
-  {
-    const AsNobody nobody;
-    Opened memory(file, Access::read);
-    EXPECT_TRUE(memory.tables.landmarks.find("book").has_value());
-    EXPECT_THAT(sentence_of([&] { Opened(file, Access::session); }),
-                AllOf(HasSubstr("nothing can be written beside it"), HasSubstr("writable")));
-    EXPECT_THAT(sentence_of([&] {
-                  Opened edit(file, Access::edit);
-                  try {
-                    edit.tables.landmarks.update(*edit.tables.landmarks.find("book"));
-                  } catch (const SQLite::Exception& error) {
-                    throw_memory_error(file, "changing it", error);
-                  }
-                }),
-                HasSubstr("writable"));
-  }
-  chmod(folder.path().c_str(), 0755);
-}
-
-TEST(MemoryFile, AFullDiskLosesNothingThatWasAcknowledged) {
-  const Folder folder;
-  const std::string file = folder / "home.db";
-  MemoryOptions given = options(Access::session);
-  given.most_pages = 40;
-  int kept = 0;
-  {
-    MemoryWriter writer(file, given);
-    std::string sentence;
-    for (unsigned k = 0; sentence.empty() && k < 500; ++k) {
-      sentence = sentence_of([&] {
-        writer.commit([k](MemoryTables& tables) {
-          add_landmark(tables, "thing " + std::to_string(k), k, 200);
-        });
-        ++kept;
-      });
-    }
-    EXPECT_THAT(sentence, AllOf(HasSubstr("there is no room left"), HasSubstr("free some")));
-    writer.post([](MemoryTables& tables) {
-      for (int k = 0; k < 2000; ++k) {
-        Episode episode;
-        episode.kind = "start";
-        episode.text = std::string(1000, 'x');
-        tables.sessions.add(episode);
-      }
-    });
-    EXPECT_NE(sentence_of([&] {
-                writer.commit([](MemoryTables& tables) { add_landmark(tables, "more", 9, 2000); });
-              }),
-              "");
-    EXPECT_EQ(writer.lost(), 1U);
-    EXPECT_THAT(writer.why_lost(), HasSubstr("there is no room left"));
-  }
-  ASSERT_GT(kept, 3);
-  Opened memory(file, Access::session);
-  EXPECT_EQ(memory.tables.landmarks.all(true).size(), static_cast<std::size_t>(kept));
-  EXPECT_THAT(find_damage(memory.file.database()), IsEmpty());
 }
 
 TEST(MemoryFile, ASessionThatDidNotEndIsMarkedAndTheFileChecked) {

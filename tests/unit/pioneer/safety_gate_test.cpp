@@ -2,35 +2,12 @@
 
 #include <random>
 
-#include "tests/unit/pioneer/test_bed.hpp"
+#include "tests/unit/pioneer/standing.hpp"
 
 /// Each test breaks one thing while the robot drives and measures, in the robot, the time until its
 /// wheels are commanded to stand; then it mends the thing and looks whether motion comes back.
 namespace striate::pioneer {
 namespace {
-
-constexpr double kStep_s = 0.01;
-
-bool stands(const TestBed& bed) {
-  return bed.firmware.forward_m_s() == 0.0 && bed.firmware.turn_rad_s() == 0.0;
-}
-
-/// Seconds until the firmware wants its wheels to stand.
-double until_commanded(TestBed& bed) {
-  const double took_s = bed.run_until([&] { return bed.firmware.commanded_to_stand(); });
-  testing::Test::RecordProperty("seconds", std::to_string(took_s));
-  return took_s;
-}
-
-/// Nothing moves for so long.
-void expect_still(TestBed& bed, double seconds) {
-  bed.run_until([&] { return stands(bed); });
-  const TimePoint end = bed.now + from_seconds(seconds);
-  while (bed.now < end) {
-    bed.step();
-    ASSERT_TRUE(stands(bed)) << "moves by itself";
-  }
-}
 
 TEST(SafetyGate, DrivesAsItIsToldWithinTheLimits) {
   TestBed bed;
@@ -282,58 +259,6 @@ TEST(SafetyGate, DrivesOnThroughSomeBadPackets) {
   EXPECT_GT(bed.senses.true_pose.x_m, 4.0);
   EXPECT_NEAR(bed.base().odometry.pose.x_m, bed.senses.true_pose.x_m, 0.1)
       << "lost packets cost no way";
-}
-
-TEST(SafetyGate, AnEchoInFrontSlowsAndStops) {
-  TestBed bed;
-  bed.drive();
-  bed.front_m = 0.15;
-  bed.run(1.0);
-  EXPECT_LT(bed.firmware.forward_m_s(), 0.2);
-  bed.front_m = 0.09;
-  bed.run(1.0);
-  EXPECT_TRUE(stands(bed));
-  EXPECT_EQ(bed.driver.gate().reason(), HoldReason::obstacle);
-  bed.command = MotorCommand{.forward_m_s = -0.2};
-  bed.run(1.0);
-  EXPECT_LT(bed.firmware.forward_m_s(), -0.19) << "away from it is free";
-}
-
-TEST(SafetyGate, AStallOrABumperEndsThePush) {
-  TestBed bed;
-  bed.drive();
-  bed.senses.stalled = true;
-  EXPECT_LE(until_commanded(bed), 0.1 + 2 * kStep_s);
-  EXPECT_EQ(bed.driver.gate().reason(), HoldReason::stalled);
-  bed.senses.stalled = false;
-  bed.run(2.0);
-  bed.drive();
-  bed.senses.bumper_front = true;
-  EXPECT_LE(until_commanded(bed), 0.1 + 2 * kStep_s);
-  EXPECT_EQ(bed.driver.gate().reason(), HoldReason::bumper);
-  bed.command = MotorCommand{.forward_m_s = -0.2};
-  bed.run(1.0);
-  EXPECT_LT(bed.firmware.forward_m_s(), -0.19);
-}
-
-TEST(SafetyGate, ALaserThatFallsSilentStopsTheRobot) {
-  TestBed bed;
-  bed.drive();
-  ASSERT_EQ(bed.base().laser.readings.size(), 181u);
-  bed.laser_speaks = false;
-  const double took_s = until_commanded(bed);
-  EXPECT_GT(took_s, 0.35);
-  EXPECT_LE(took_s, 0.5 + 2 * kStep_s);
-  EXPECT_EQ(bed.driver.gate().reason(), HoldReason::laser_stale);
-  expect_still(bed, 2.0);
-}
-
-TEST(SafetyGate, AnEmptyBatteryStands) {
-  TestBed bed;
-  bed.drive();
-  bed.senses.battery_v = 10.5;
-  EXPECT_LE(until_commanded(bed), 0.1 + 2 * kStep_s);
-  EXPECT_EQ(bed.driver.gate().reason(), HoldReason::battery_low);
 }
 
 }  // namespace
