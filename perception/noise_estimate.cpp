@@ -58,7 +58,9 @@ double estimate_noise(const cv::Mat1b& grey) {
   // Inside the bin the median is interpolated; bin k holds magnitudes k - 1/2 .. k + 1/2.
   const double inside = (0.5 * total - before) / histogram[bin];
   const double median = bin == 0 ? 0.5 * inside : bin - 0.5 + inside;
+  // Median of |x| for a normal x of sigma 1: its 75 % quantile
   constexpr double kMedianOfNormal = 0.6745;
+  // Root of the sum of squares of (1 -2 1) x (1 -2 1): what it makes of noise of sigma 1
   constexpr double kKernelNorm = 6.0;
   return median / (kMedianOfNormal * kKernelNorm);
 }
