@@ -7,7 +7,9 @@
 namespace striate::pioneer {
 namespace {
 
+/// Of each byte of STALL AND BUMPERS; ARCOS manual, standard SIP
 constexpr std::uint16_t kStallBit = 1U;
+/// Of each byte of STALL AND BUMPERS: seven bumpers; ARCOS manual, standard SIP
 constexpr std::uint16_t kBumperBits = 0xfeU;
 /// Sonar calls 5 m "nothing"; simulators send up to this much and a little less.
 constexpr double kNoEchoMm = 4995.0;
