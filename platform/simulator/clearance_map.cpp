@@ -8,7 +8,7 @@
 namespace striate::simulator {
 namespace {
 
-constexpr double kCellM = 0.1;
+constexpr double kCellM = 0.1;  // a fifth of a person's width: no gap that one fits through is lost
 /// People need no finer answer than "more than this".
 constexpr double kFarM = 1.5;
 /// The string is pulled tight over this many cells at a time: long ways stay cheap.

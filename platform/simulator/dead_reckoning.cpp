@@ -33,7 +33,8 @@ void DeadReckoning::step(double dt_s, double forward_m_s, double turn_rad_s) {
 }
 
 Odometry DeadReckoning::reported(TimePoint now) const {
-  constexpr double kStepM = 0.001;
+  constexpr double kStepM = 0.001;  // 1 mm, and 1 mm/s: as a SIP tells it; ARCOS manual
+  // As a SIP tells a heading, 4096 to a turn; ARCOS manual
   constexpr double kStepRad = 2.0 * std::numbers::pi / 4096.0;
   const auto stepped = [](double value, double step) { return std::round(value / step) * step; };
   Odometry odometry;

@@ -10,7 +10,7 @@ namespace {
 constexpr double kAlmostS = 1e-9;
 /// Slower than this the wheels cannot be told from standing.
 constexpr double kStandingM_s = 0.02;
-constexpr double kStandingRad_s = 0.05;
+constexpr double kStandingRad_s = 0.05;  // 3 deg/s: slower turning cannot be told from standing
 
 double towards(double value, double goal, double largest_change) {
   return value + std::clamp(goal - value, -largest_change, largest_change);

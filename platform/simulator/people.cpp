@@ -10,11 +10,12 @@
 namespace striate::simulator {
 namespace {
 
+/// A person, and 2 cm that a walker's steps err by
 constexpr double kRoomM = kPersonRadius_m + 0.02;
-constexpr std::uint64_t kStepsPerDecision = 10;
-constexpr double kPatienceS = 4.0;  ///< held up for so long, a walker makes room
-constexpr double kYieldS = 8.0;     ///< from going back to trying again
-constexpr double kAppearM = 4.0;    ///< nearer to the robot nobody appears out of nothing
+constexpr std::uint64_t kStepsPerDecision = 10;  ///< of 10 ms: people decide ten times a second
+constexpr double kPatienceS = 4.0;               ///< held up for so long, a walker makes room
+constexpr double kYieldS = 8.0;                  ///< from going back to trying again
+constexpr double kAppearM = 4.0;  ///< nearer to the robot nobody appears out of nothing
 
 /// A way through the corridor's points that goes round what stands there; where a leg has no free
 /// way its end is left out.

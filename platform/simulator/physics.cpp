@@ -14,10 +14,11 @@ namespace striate::simulator {
 namespace {
 
 // What a fixture is for: touched by the robot, seen by range finders, or both.
+/// Bit of what the robot touches; Box2D's filter categories
 constexpr std::uint16_t kTouchable = 1;
-constexpr std::uint16_t kSeen = 2;
-constexpr std::uint16_t kSmooth = 4;
-constexpr std::uint16_t kRobot = 8;
+constexpr std::uint16_t kSeen = 2;    ///< bit of what range finders see
+constexpr std::uint16_t kSmooth = 4;  ///< bit of what sends sound back like a mirror
+constexpr std::uint16_t kRobot = 8;   ///< bit of the robot itself
 /// Box2D keeps 1 cm of skin round polygons; so thin, touching means touching to 2 mm.
 constexpr float kSkinM = 0.001F;
 /// What the range finders see of a person: legs, not arms.

@@ -6,17 +6,19 @@
 namespace striate::simulator {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kFirePeriodS = 0.040;
-constexpr int kRaysPerBeam = 7;
-constexpr double kSonarNearestM = 0.10;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();  // m: no echo
+constexpr double kFirePeriodS = 0.040;  // one disc of an array each; P3-DX, SONARCYCLE's default
+constexpr int kRaysPerBeam =
+    7;  // 4 deg apart in a beam of 25: a chair's leg, 26 mm, is not missed up to 0.35 m
+constexpr double kSonarNearestM = 0.10;  // nearest that a disc of a P3-DX tells
 /// A wall sends sound back where it stands square to the beam within 25 deg; edges, cloth and
 /// cardboard scatter it within 70 deg.
 const double kCosSmooth = std::cos(radians(25.0));
+/// Edges, cloth and cardboard scatter sound within 70 deg (ours)
 const double kCosRough = std::cos(radians(70.0));
 /// Each array's discs fire far from the one before, against echoes of the neighbour.
 constexpr std::array<std::size_t, 8> kOrder{0, 5, 1, 4, 2, 7, 3, 6};
-constexpr double kLaserForwardM = 0.021;
+constexpr double kLaserForwardM = 0.021;  // mount of an LMS-200 on a P3-DX (ARIA's p3dx-sh.p)
 
 RangeReading from_axle(const Pose2& sensor, double distance_m) {
   const double reach = std::isfinite(distance_m) ? distance_m : 0.0;

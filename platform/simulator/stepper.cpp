@@ -9,12 +9,15 @@ namespace striate::simulator {
 namespace {
 
 constexpr double kNearestM = 1.2;  ///< before the robot's front
+/// Before the robot's front: farther is no stepping in front (ours)
 constexpr double kFarthestM = 2.5;
 constexpr double kSparedM = 0.6;  ///< beyond what the robot needs to stop
-constexpr double kPaceM_s = 1.1;
+constexpr double kPaceM_s = 1.1;  ///< a relaxed walk (ours)
+/// A person, and 2 cm that a walker's steps err by
 constexpr double kRoomM = kPersonRadius_m + 0.02;
 constexpr double kDoorPatienceS = 12.0;  ///< waits this long for a door to come up
 constexpr double kAheadM = 12.0;         ///< appears this far ahead where no door is
+/// And at least this far: six seconds and more before they meet
 constexpr double kAheadLeastM = 8.0;
 constexpr double kGoneM = 9.0;  ///< so far away he may vanish without a door
 

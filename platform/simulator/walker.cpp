@@ -10,20 +10,22 @@
 namespace striate::simulator {
 namespace {
 
-constexpr double kR = kPersonRadius_m;
-constexpr double kHandM = 0.12;      ///< nearer to the robot nobody steps of his own will
-constexpr double kComfortM = 0.32;   ///< nearer to the robot nobody likes to be
-constexpr double kFriendlyM = 0.15;  ///< likewise for other people
-constexpr double kEager = 2.5;       ///< how much a metre of way counts against comfort
+constexpr double kR = kPersonRadius_m;  ///< of a person on the floor
+constexpr double kHandM = 0.12;         ///< nearer to the robot nobody steps of his own will
+constexpr double kComfortM = 0.32;      ///< nearer to the robot nobody likes to be
+constexpr double kFriendlyM = 0.15;     ///< likewise for other people
+constexpr double kEager = 2.5;          ///< how much a metre of way counts against comfort
+/// Stands within half a second from a quick walk of 1.5 m/s
 constexpr double kAcceleration_m_s2 = 3.0;
-constexpr double kTurning_rad_s = 5.0;
-constexpr double kLookAheadM = 1.0;  ///< on the way, for where to go
-constexpr double kSeesRobotM = 2.5;  ///< on his way, from where he makes for its side
-constexpr double kBesideM = 0.72;    ///< from its middle when passing
-constexpr double kTwoStepsM = 1.4;   ///< length of a stride: both legs once
-constexpr double kDoorReachM = 0.8;
+constexpr double kTurning_rad_s = 5.0;  ///< turns round within 0.6 s
+constexpr double kLookAheadM = 1.0;     ///< on the way, for where to go
+constexpr double kSeesRobotM = 2.5;     ///< on his way, from where he makes for its side
+constexpr double kBesideM = 0.72;       ///< from its middle when passing
+constexpr double kTwoStepsM = 1.4;      ///< length of a stride: both legs once
+constexpr double kDoorReachM = 0.8;  ///< nearer to a door a walker is in it: a stride's half (ours)
 /// Looking ahead in time, at these moments.
 constexpr std::array<double, 4> kMoments{0.3, 0.7, 1.2, 1.8};
+/// Directions tried to either side of the way; beyond 95 deg he stands rather (ours)
 constexpr std::array<double, 9> kOffsetsDeg{0, 20, -20, 40, -40, 65, -65, 95, -95};
 
 /// Where the robot will be if it goes on as it does now.
