@@ -68,8 +68,9 @@ StereoFrame read_pair(const PerceiveOptions& o) {
 /// Otsu's threshold: the split of the known disparities into near and far with the least spread
 /// inside both parts. Never below 2 px.
 double split_near_from_far(const cv::Mat1f& disparity_px) {
-  constexpr int kBins = 1024;
-  constexpr double kBin_px = 0.25;
+  constexpr int kBins = 1024;       // of kBin_px: 256 px, the most that stereo searches
+  constexpr double kBin_px = 0.25;  // px: about the error of a sub-pixel disparity
+  // Of the disparities: the share that the split may leave out at the near end (ours)
   constexpr double kOutliers = 0.12;
   double left_out = 0.0;
   std::vector<double> histogram(kBins, 0.0);

@@ -10,10 +10,12 @@
 namespace striate {
 namespace {
 
-constexpr std::size_t kBits = 256;
+constexpr std::size_t kBits = 256;   ///< of a descriptor; the paper's number
 constexpr std::size_t kRefresh = 8;  ///< bits chosen from one list of candidates
+/// With largest correlation, of which each bit is chosen; kBest are kept. Time (ours)
 constexpr std::size_t kCandidates = 150, kBest = 10 * kCandidates;
 constexpr double kSteepness = 0.06;  ///< of the logistic weights, a bit
+/// Pairs that correlations are taken from: known to 1 % (1 / sqrt(n))
 constexpr std::size_t kCorrelated = 10000;
 
 struct Candidate {
