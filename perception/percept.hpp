@@ -13,9 +13,9 @@
 /// the picture; image: u right, v down, pixel centres at integers.
 namespace striate {
 
-/// px: a disparity that no comparison with a threshold takes for a near one by being finite
+/// Pixels: not finite, so that no arithmetic makes a measured disparity of it
 inline constexpr float kNoMatch = std::numeric_limits<float>::infinity();
-/// M: farther than everything, so that the nearest of several needs no special case
+/// Metres: farther than everything, so that the nearest of several needs no special case
 inline constexpr double kNothing_m = std::numeric_limits<double>::infinity();
 
 /// Dense disparity in the left image's frame, with the camera at this working size.

@@ -12,7 +12,7 @@
 namespace striate::pictures {
 namespace {
 
-/// M: what is nearer is as red; a stop from 0.75 m/s and the robot's front
+/// m: what is nearer is as red; a stop from 0.75 m/s and the robot's front
 constexpr double kReddest_m = 0.7;
 constexpr double kGamma = 0.6;  // far distances get more than their share of the colours
 constexpr int kHatch = 8;       // px between the lines of what is unknown

@@ -73,7 +73,7 @@ std::string without_number(std::string name) {
 }
 
 std::string long_stands(const std::vector<RunResult>& results) {
-  // S: longer than a person waits before he thinks it has given up (ours)
+  // s: a person who watches takes so long a stand for the end of the run (ours)
   constexpr double kLong_s = 30.0;
   std::string text;
   for (const RunResult& result : results) {

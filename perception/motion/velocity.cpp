@@ -13,7 +13,7 @@ constexpr double kClear = 0.8;
 constexpr double kTrusted = 0.3;  ///< confidence; as MotionSettings::trusted
 /// Share: a disparity may differ from the best velocity's by this; one px at 3.7 m
 constexpr double kNearRange = 0.15;
-/// M/s; 0.2 m in half a second, one px of disparity at 2.2 m
+/// m/s; 0.2 m in half a second, one px of disparity at 2.2 m
 constexpr double kForwardStep_m_s = 0.4;
 
 /// Every so-many-th pixel.
