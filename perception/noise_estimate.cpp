@@ -8,7 +8,8 @@
 namespace striate {
 namespace {
 
-constexpr int kLargest = 4 * 255 * 2;     // magnitude of a response
+/// Magnitude of a response: what the kernel has of one sign sums to 8
+constexpr int kLargest = 4 * 255 * 2;
 constexpr int kSaturated = kLargest + 1;  // what is black or white to the limit has lost its noise
 using Histogram = std::array<int, kSaturated + 1>;
 

@@ -7,7 +7,8 @@ namespace striate {
 namespace {
 
 constexpr std::size_t kFewestPixels = 20;  ///< pixels of a thing; fewer fit any velocity (ours)
-constexpr std::size_t kMostPixels = 120;   ///< more are thinned out
+/// More are thinned out: each costs all velocities, 5 ms a thing in all (README)
+constexpr std::size_t kMostPixels = 120;
 /// Best difference over the median of all; above, no velocity stands out (ours)
 constexpr double kClear = 0.8;
 constexpr double kTrusted = 0.3;  ///< confidence; as MotionSettings::trusted

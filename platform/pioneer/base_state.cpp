@@ -48,7 +48,7 @@ void BaseTracker::move_on(const arcos::Sip& sip) {
 }
 
 void BaseTracker::take_laser(const std::vector<std::uint16_t>& ranges_mm, TimePoint stamp) {
-  constexpr double kMountForwardM = 0.021;  // an LMS-2xx on a p3dx-sh
+  constexpr double kMountForwardM = 0.021;  // an LMS-2xx on a p3dx-sh (ARIA's p3dx-sh.p)
   state_.laser.stamp = stamp;
   state_.laser.readings.clear();
   const double steps = std::max<double>(1.0, static_cast<double>(ranges_mm.size()) - 1.0);

@@ -23,7 +23,8 @@ constexpr Duration kHeadSilent = std::chrono::milliseconds(500);
 constexpr std::array<std::size_t, 4> kFrontDiscs{2, 3, 4, 5};
 /// Those that look within 30 deg of straight behind (robot_model.cpp)
 constexpr std::array<std::size_t, 4> kRearDiscs{10, 11, 12, 13};
-constexpr double kCreepsMm_s = 10.0;  ///< slower is standing
+/// Slower is standing: ten times the resolution of a SIP's wheel speeds
+constexpr double kCreepsMm_s = 10.0;
 /// Of the brake that the gate counts on; less where the robot was told less.
 constexpr double kMostBrakeMm_s2 = 300.0;
 

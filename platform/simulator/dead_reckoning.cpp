@@ -6,6 +6,7 @@ namespace striate::simulator {
 namespace {
 
 /// Slip of single steps: after 1 m of 10 ms steps this adds up to about 1 mrad.
+/// Slip of single steps adds up to 1 mrad after 1 m, below the run's own scales (ours)
 constexpr double kSlipRadPerRootM = 0.001;
 
 }  // namespace

@@ -9,6 +9,7 @@ namespace {
 /// Steps that end within a nanosecond of a due time are there: sums of 10 ms are not exact.
 constexpr double kAlmostS = 1e-9;
 /// Slower than this the wheels cannot be told from standing.
+/// Slower than this the wheels cannot be told from standing: 20 times a SIP's 1 mm/s
 constexpr double kStandingM_s = 0.02;
 constexpr double kStandingRad_s = 0.05;  // 3 deg/s: slower turning cannot be told from standing
 

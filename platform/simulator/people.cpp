@@ -13,9 +13,11 @@ namespace {
 /// A person, and 2 cm that a walker's steps err by
 constexpr double kRoomM = kPersonRadius_m + 0.02;
 constexpr std::uint64_t kStepsPerDecision = 10;  ///< of 10 ms: people decide ten times a second
-constexpr double kPatienceS = 4.0;               ///< held up for so long, a walker makes room
-constexpr double kYieldS = 8.0;                  ///< from going back to trying again
-constexpr double kAppearM = 4.0;  ///< nearer to the robot nobody appears out of nothing
+constexpr double kPatienceS = 4.0;  ///< held up for so long, a walker makes room (ours)
+/// From going back to trying again (ours)
+constexpr double kYieldS = 8.0;
+/// Nearer to the robot nobody appears out of nothing: seven times its way to stop
+constexpr double kAppearM = 4.0;
 
 /// By seed: a share of the speed, seconds of the start, metres along and across (ours). Runs
 /// differ, but nobody walks another way than the world file means.

@@ -8,18 +8,23 @@
 namespace striate::simulator {
 namespace {
 
-constexpr double kNearestM = 1.2;  ///< before the robot's front
+/// Before the robot's front; beyond its way to stop at 0.75 m/s, 0.8 m with reaction
+constexpr double kNearestM = 1.2;
 /// Before the robot's front: farther is no stepping in front (ours)
 constexpr double kFarthestM = 2.5;
-constexpr double kSparedM = 0.6;  ///< beyond what the robot needs to stop
+/// Beyond what the robot needs to stop: a person appears where it can (ours)
+constexpr double kSparedM = 0.6;
 constexpr double kPaceM_s = 1.1;  ///< a relaxed walk (ours)
 /// A person, and 2 cm that a walker's steps err by
 constexpr double kRoomM = kPersonRadius_m + 0.02;
-constexpr double kDoorPatienceS = 12.0;  ///< waits this long for a door to come up
-constexpr double kAheadM = 12.0;         ///< appears this far ahead where no door is
+/// Waits this long for a door to come up: 9 m of the robot's way (ours)
+constexpr double kDoorPatienceS = 12.0;
+/// Appears this far ahead where no door is: beyond what stereo tells (one px is 6 m there)
+constexpr double kAheadM = 12.0;
 /// And at least this far: six seconds and more before they meet
 constexpr double kAheadLeastM = 8.0;
-constexpr double kGoneM = 9.0;  ///< so far away he may vanish without a door
+/// So far away he may vanish without a door: beyond where obstacles are judged (8 m of floor)
+constexpr double kGoneM = 9.0;
 
 /// Held up for so long while coming, he stops where he is (ours).
 constexpr double kStopsAfterS = 1.5;

@@ -11,17 +11,22 @@ namespace striate::simulator {
 namespace {
 
 constexpr double kR = kPersonRadius_m;  ///< of a person on the floor
-constexpr double kHandM = 0.12;         ///< nearer to the robot nobody steps of his own will
-constexpr double kComfortM = 0.32;      ///< nearer to the robot nobody likes to be
-constexpr double kFriendlyM = 0.15;     ///< likewise for other people
-constexpr double kEager = 2.5;          ///< how much a metre of way counts against comfort
+/// Nearer to the robot nobody steps of his own will: a hand's breadth (ours)
+constexpr double kHandM = 0.12;
+constexpr double kComfortM = 0.32;  ///< nearer to the robot nobody likes to be (ours)
+/// Likewise for other people: they give way, the robot does not (ours)
+constexpr double kFriendlyM = 0.15;
+/// How much a metre of way counts against comfort (ours)
+constexpr double kEager = 2.5;
 /// Stands within half a second from a quick walk of 1.5 m/s
 constexpr double kAcceleration_m_s2 = 3.0;
 constexpr double kTurning_rad_s = 5.0;  ///< turns round within 0.6 s
-constexpr double kLookAheadM = 1.0;     ///< on the way, for where to go
-constexpr double kSeesRobotM = 2.5;     ///< on his way, from where he makes for its side
-constexpr double kBesideM = 0.72;       ///< from its middle when passing
-constexpr double kTwoStepsM = 1.4;      ///< length of a stride: both legs once
+constexpr double kLookAheadM = 1.0;     ///< on the way, for where to go: a second's walk (ours)
+/// On his way, from where he makes for its side: kMoments at a walk, and the robot's own (ours)
+constexpr double kSeesRobotM = 2.5;
+/// From its middle when passing: half width, radius and most of kComfortM
+constexpr double kBesideM = 0.72;
+constexpr double kTwoStepsM = 1.4;   ///< length of a stride, both legs once: 0.7 m a step
 constexpr double kDoorReachM = 0.8;  ///< nearer to a door a walker is in it: a stride's half (ours)
 /// Looking ahead in time, at these moments.
 constexpr std::array<double, 4> kMoments{0.3, 0.7, 1.2, 1.8};
