@@ -13,7 +13,7 @@
 
 namespace striate::config {
 
-/// No file that ships goes deeper than a third of it; more is an attack on the stack (ours)
+/// Far deeper than any file that ships; more is an attack on the stack (ours)
 inline constexpr int kMaxDepth = 32;
 /// Aliases may multiply a short file: far more than a file that ships has (ours)
 inline constexpr int kMaxValues = 20'000;

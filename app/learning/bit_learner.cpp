@@ -11,7 +11,7 @@ namespace striate {
 namespace {
 
 constexpr std::size_t kBits = 256;  ///< of a descriptor; the paper's number
-/// Bits chosen from one list of candidates: eight times quicker (ours)
+/// Bits chosen from one list of candidates, which is slow to make (ours)
 constexpr std::size_t kRefresh = 8;
 /// With largest correlation, of which each bit is chosen; kBest are kept. Time (ours)
 constexpr std::size_t kCandidates = 150, kBest = 10 * kCandidates;

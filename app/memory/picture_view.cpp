@@ -13,7 +13,7 @@ namespace {
 /// px: the size recognition was measured at (jsk_arc2017, 640 x 480)
 constexpr int kLongestSide_px = 640;
 constexpr int kShortestSide_px = 16;  ///< below it there is nothing to look for
-constexpr int kJpegQuality = 90;  ///< of 100: no blocks are seen, at a tenth of the bytes (ours)
+constexpr int kJpegQuality = 90;      ///< of 100: so mild that no blocks are seen (ours)
 
 cv::Mat3b shrunk(const cv::Mat3b& picture) {
   const int side = std::max(picture.cols, picture.rows);

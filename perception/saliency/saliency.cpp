@@ -147,9 +147,9 @@ void SaliencyFinder::add_channel(double weight, double least_mean) {
 }
 
 void SaliencyFinder::add_v1_channels(const cv::Mat1b& grey) {
-  // Grey levels, summed over 8 orientations and 2 scales: noise has less, and stays dim (ours)
+  // Grey levels, summed over 8 orientations and 2 scales: keeps a blank wall's noise dim (ours)
   constexpr double kLeastTexture = 3.0;
-  // Grey levels, summed over 8 orientations and 3 radii: noise has less, and stays dim (ours)
+  // Grey levels, summed over 8 orientations and 3 radii: keeps a blank wall's noise dim (ours)
   constexpr double kLeastShape = 12.0;
   cells_.respond(grey, 0, false, responses_);
   v1_channels_.average(responses_);
