@@ -4,8 +4,8 @@
 #include <opencv2/imgproc.hpp>
 
 #include "perception/saliency/saliency.hpp"
-#include "tests/reference/painted_rooms.hpp"
 #include "tests/reference/saliency_reference.hpp"
+#include "tests/reference/stereo_pairs.hpp"
 #include "tests/unit/perception/obstacles_synthetic_room.hpp"
 
 namespace striate {
@@ -69,8 +69,9 @@ TEST(Saliency, AgreesWithTheDirectSumOnPicturesOfRoomsAndAPhotograph) {
   for (const std::uint64_t seed : {1, 2}) {
     pictures.push_back(reference::PaintedRoom(seed).paint().left);
   }
-  const cv::Mat3b photograph = cv::imread(STRIATE_SHARED_DATA "/stereo/motorcycle/left.png");
-  if (!photograph.empty()) pictures.push_back(photograph);  // where the public data is at hand
+  const std::string photograph =
+      reference::shared_data(STRIATE_SHARED_DATA) + "/stereo/motorcycle/left.png";
+  if (std::filesystem::exists(photograph)) pictures.push_back(cv::imread(photograph));
   for (cv::Mat3b& picture : pictures) {
     cv::resize(picture, picture, {160, 120}, 0, 0, cv::INTER_AREA);
     expect_close_to_reference(picture, synthetic::empty_map());

@@ -53,7 +53,8 @@ PaperScore paper_score(const std::vector<reference::StereoPair>& pairs) {
 TEST(StereoPairs, ThePaperSettingIsAsGoodAsItsExactReference) {
   EXPECT_LT(paper_score(rooms()).fast_bad2, 20.0);
   const auto public_pairs = photographs();
-  if (!public_pairs.empty()) EXPECT_LT(paper_score(public_pairs).fast_bad2, 20.0);
+  if (public_pairs.empty()) return;  // they are a second opinion
+  EXPECT_LT(paper_score(public_pairs).fast_bad2, 20.0);
 }
 
 TEST(StereoPairs, TheRobustSettingHalvesThePapersErrorsAndKeepsMostPixels) {

@@ -87,7 +87,9 @@ TEST(Lms200Capture, DecodesInAnyChunkingAndWithAFlippedBit) {
       if (!scan) continue;
       ASSERT_EQ(scan->ranges_m.size(), 181u);
       EXPECT_NEAR(scan->ranges_m[0], 1.0, 0.001);
-      if (ours) EXPECT_NEAR(scan->ranges_m[180], 1.36, 0.0005) << "2 mm more each degree";
+      if (ours) {
+        EXPECT_NEAR(scan->ranges_m[180], 1.36, 0.0005) << "2 mm more each degree";
+      }
       ++scans;
     }
     EXPECT_GT(scans, 30);
