@@ -45,21 +45,22 @@ PaperScore paper_score(const std::vector<reference::StereoPair>& pairs) {
     mean.fast_bad2 += share * score.bad2;
     EXPECT_EQ(score.density, 100.0) << "the paper rejects nothing";
   }
-  EXPECT_LT(std::abs(mean.fast_bad2 - mean.exact_bad2), 1.5)
-      << "fast " << mean.fast_bad2 << ", exact " << mean.exact_bad2;
   return mean;
 }
 
 TEST(StereoPairs, ThePaperSettingIsAsGoodAsItsExactReference) {
-  EXPECT_LT(paper_score(rooms()).fast_bad2, 20.0);
+  // Measured: fast 6.43, exact 6.39.
+  const PaperScore in_rooms = paper_score(rooms());
+  EXPECT_NEAR(in_rooms.fast_bad2, in_rooms.exact_bad2, 0.5);
+  EXPECT_LT(in_rooms.fast_bad2, 10.0);
   const auto public_pairs = photographs();
   if (public_pairs.empty()) return;  // they are a second opinion
-  EXPECT_LT(paper_score(public_pairs).fast_bad2, 20.0);
+  const PaperScore in_photographs = paper_score(public_pairs);
+  EXPECT_NEAR(in_photographs.fast_bad2, in_photographs.exact_bad2, 1.5);
+  EXPECT_LT(in_photographs.fast_bad2, 20.0);
 }
 
-TEST(StereoPairs, TheRobustSettingHalvesThePapersErrorsAndKeepsMostPixels) {
-  std::vector<reference::StereoPair> pairs = rooms();
-  for (reference::StereoPair& pair : photographs()) pairs.push_back(std::move(pair));
+void expect_half_the_errors(const std::vector<reference::StereoPair>& pairs, double least_density) {
   StereoSettings paper;
   paper.setting = StereoSetting::paper;
   StereoMatcher by_paper(paper), robust{StereoSettings{}};
@@ -69,8 +70,15 @@ TEST(StereoPairs, TheRobustSettingHalvesThePapersErrorsAndKeepsMostPixels) {
     const reference::StereoScore after =
         reference::judge(robust.match(pair.fine_left, pair.fine_right).disparity_px, pair.truth_px);
     EXPECT_LT(after.bad2, 0.5 * before.bad2) << pair.name << ", by the paper " << before.bad2;
-    EXPECT_GT(after.density, 75.0) << pair.name;
+    EXPECT_GT(after.density, least_density) << pair.name;
   }
+}
+
+TEST(StereoPairs, TheRobustSettingHalvesThePapersErrorsAndKeepsMostPixels) {
+  // Measured in the three rooms: bad-2 of 2.1, 1.2 and 0.5 % instead of 8.2, 8.4 and 2.7 %, each
+  // with a density of at least 99.7 %.
+  expect_half_the_errors(rooms(), 95.0);
+  expect_half_the_errors(photographs(), 75.0);
 }
 
 }  // namespace
