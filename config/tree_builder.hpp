@@ -13,6 +13,8 @@
 
 namespace striate::config {
 
+/// By hand: bounds on what is built from a file, so that a few bytes (nesting, aliases) cannot fill
+/// the stack or the memory; no shipped file comes near.
 inline constexpr int kMaxDepth = 32;
 inline constexpr int kMaxValues = 20'000;
 
