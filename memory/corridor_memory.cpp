@@ -136,7 +136,7 @@ void CorridorMemory::see_walls(double left_m, double right_m, double std_m) {
     const double width_m = left_m + right_m;
     if (width_m < kLeastWidth_m || width_m > kMostWidth_m) return;
     offset_.take(0.5 * (right_m - left_m) - offset_.value, variance, kOffsetGate_m, kWallPatience);
-    width_m_ += (width_known() ? kWidthGain : kFirstWidthGain) * (width_m - width_m_);
+    width_m_ += (width_looks_ < kWidthLooks ? kFirstWidthGain : kWidthGain) * (width_m - width_m_);
     ++width_looks_;
   } else if (width_known() && (std::isfinite(left_m) || std::isfinite(right_m))) {
     const double seen_m =
