@@ -7,6 +7,7 @@
 #include <exception>
 
 #include "app/baselines/baseline.hpp"
+#include "app/given_variables.hpp"
 #include "platform/simulator/world_reader.hpp"
 #include "tasks/task_reader.hpp"
 
@@ -30,18 +31,21 @@ simulator::World world_for(const MissionOptions& options) {
 
 /// How far to drive is for the person to say: `way` leads to the goal line and a little beyond,
 /// `there` ends a little before it, because the robot's own count of its way is not exact.
-GivenVariables course_of(const simulator::World& world) {
+/// What the person has given goes before both.
+GivenVariables course_of(const simulator::World& world, GivenVariables given) {
   // m: 2.5 % of the 60 m corridor, three times the odometry's error of 0.75 %
   constexpr double kMargin_m = 1.5;
   const double line_m = world.goal_beyond_m - world.start.x_m;
-  return {{"way", config::print_quantity(line_m + kMargin_m, config::Unit::length)},
-          {"there", config::print_quantity(line_m - kMargin_m, config::Unit::length)}};
+  given.insert({{"way", config::print_quantity(line_m + kMargin_m, config::Unit::length)},
+                {"there", config::print_quantity(line_m - kMargin_m, config::Unit::length)}});
+  return given;
 }
 
-/// A task that asks for the way to the goal line has it as its goal; any other is judged by
-/// whether it succeeds.
-bool goal_is_the_line(const Task& task) {
-  return std::find(task.variables.begin(), task.variables.end(), "way") != task.variables.end();
+/// A task that asks for the way to the goal line has it as its goal; any other, also where the
+/// person has given another way, is judged by whether it succeeds.
+bool goal_is_the_line(const Task& task, const GivenVariables& given) {
+  return given.find("way") == given.end() &&
+         std::find(task.variables.begin(), task.variables.end(), "way") != task.variables.end();
 }
 
 /// Only the baseline `truth` has pictures that know their depth.
@@ -56,8 +60,10 @@ std::unique_ptr<TrueDepthPictures> with_depth(Baseline baseline, RendererPicture
 Task task_for(const MissionOptions& options, const simulator::World& world) {
   std::vector<std::string> names;
   if (options.knowledge) names = options.knowledge->names();
-  return load_task(options.task, RobotDescription{}, course_of(world),
-                   options.knowledge ? &names : nullptr);
+  Task task = load_task(options.task, RobotDescription{}, course_of(world, options.given),
+                        options.knowledge ? &names : nullptr);
+  check_variables(options.given, task);
+  return task;
 }
 
 }  // namespace
@@ -112,13 +118,13 @@ void Mission::one_cycle_on() {
 
 /// Ends the task from outside, so after everybody has seen the cycle as it was.
 void Mission::watch_the_judge() {
-  if (body_->judge().reached_goal() && goal_is_the_line(executive_.task())) {
+  if (body_->judge().reached_goal() && goal_is_the_line(executive_.task(), options_.given)) {
     executive_.interrupt(MissionState::succeeded, "beyond the goal line");
   }
 }
 
 GivenVariables Mission::given() const {
-  return course_of(world_);
+  return course_of(world_, options_.given);
 }
 
 double Mission::mean_cycle_ms() const {
@@ -147,7 +153,7 @@ RunResult Mission::result() const {
   } else if (!result.collisions.empty()) {
     result.outcome = "collision";
     result.reason = "touched " + result.collisions.front().hit;
-  } else if (goal_is_the_line(executive_.task())
+  } else if (goal_is_the_line(executive_.task(), options_.given)
                  ? result.reached_goal
                  : executive_.ended() && executive_.state() == MissionState::succeeded) {
     result.outcome = "success";
@@ -164,7 +170,7 @@ RunResult Mission::result() const {
   result.distance_m = judge.distance_driven_m();
   result.duration_s = to_seconds(body_->clock().now());
   result.nearest_pass_m = std::min(judge.nearest_pass_m(), 100.0);
-  if (!goal_is_the_line(executive_.task()) && !judge.path().empty()) {
+  if (!goal_is_the_line(executive_.task(), options_.given) && !judge.path().empty()) {
     const Pose2& start = judge.path().front().pose;
     const Pose2& end = judge.now().pose;
     result.from_start_m = std::hypot(end.x_m - start.x_m, end.y_m - start.y_m);

@@ -26,6 +26,7 @@ struct MissionOptions {
   std::string robot;       ///< settings file; empty: the built-in defaults
   std::uint64_t seed = 1;  ///< any; the first run of a series
   bool emergency_layer = true;
+  GivenVariables given;  ///< of the task; go before what the world says of its course
   std::string baseline;  ///< whose disparities: paper, sgbm, truth; empty: Striate's own
   /// Along the corridor, left of its middle, heading; none: the world's own start.
   std::optional<Pose2> start;

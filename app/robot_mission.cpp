@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/given_variables.hpp"
 #include "config/user_error.hpp"
 #include "platform/pioneer/pioneer_robot.hpp"
 
@@ -31,7 +32,9 @@ Task task_for(const RobotMissionOptions& options, const RobotDescription& robot)
   if (options.task.empty()) return standing_task(robot);
   std::vector<std::string> names;
   if (options.knowledge) names = options.knowledge->names();
-  return load_task(options.task, robot, options.given, options.knowledge ? &names : nullptr);
+  Task task = load_task(options.task, robot, options.given, options.knowledge ? &names : nullptr);
+  check_variables(options.given, task);
+  return task;
 }
 
 /// Only the robot itself knows its limits; mistakes in the task are told before it is woken.

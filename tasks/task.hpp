@@ -16,7 +16,7 @@ struct Task {
   std::vector<std::string> files;  ///< that file and those it uses; absolute paths
   std::string mission;
   std::vector<std::string> landmarks;  ///< what it needs to know: `needs: {landmarks: [book]}`
-  std::vector<std::string> variables;  ///< names that it declares with `vars`
+  std::vector<std::string> variables;  ///< names in `vars` and in `needs: {parameters: ...}`
   std::unique_ptr<ScopeNode> root;     ///< guards, steps and `finally`; never nullptr when usable
   Outline outline;                     ///< the same, to be shown
 };

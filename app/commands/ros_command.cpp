@@ -4,8 +4,11 @@
 #include <memory>
 #include <string>
 
+#include "app/command_line/whole_number.hpp"
 #include "app/commands/commands.hpp"
 #include "app/commands/run_on_robot.hpp"
+#include "app/files.hpp"
+#include "app/given_variables.hpp"
 #include "config/user_error.hpp"
 #ifdef STRIATE_HAS_ROS
 #include "app/ros/replay_bag.hpp"
@@ -18,6 +21,7 @@ namespace {
 
 struct RosOptions {
   RunOnRobotOptions run;
+  std::vector<std::string> given;  ///< "way=20 m"
   std::string world;
   std::uint64_t seed = 1;  // any; the first run of a series
   bool no_emergency = false;
@@ -83,10 +87,18 @@ int replay(const BagOptions& options) {
 
 #endif
 
+/// Before a robot is looked for.
+void check_given(RosOptions& options) {
+  check_writable(options.run.result);
+  check_writable(options.run.memory);
+  options.run.mission.given = read_variables(options.given);
+}
+
 void add_common(CLI::App& command, RosOptions& options) {
   command.add_option("--robot", options.run.mission.robot,
                      "settings; the section 'ros' names topics and frames");
-  command.add_option("--var", options.run.given, "a variable of the task, as \"way=20 m\"")
+  command.add_option("--var", options.given, "a variable of the task, as \"way=20 m\"")
+      ->type_name("NAME=VALUE")
       ->take_all();
   command.add_option("--memory", options.run.memory,
                      "the long-term memory that keeps what happens; made where there is none");
@@ -105,12 +117,19 @@ void add_serve(CLI::App& ros, const std::shared_ptr<RosOptions>& options, int& e
       "          striate ros serve config/tasks/corridor.yaml --robot config/robots/pioneer.yaml");
   command->add_option("task", options->run.mission.task,
                       "what the robot does by itself; without it, it stands");
-  command->add_option("--world", options->world,
-                      "the simulated Pioneer in this world, in real time; without it the robot is "
-                      "the one that --robot tells of");
-  command->add_option("--seed", options->seed, "of the world")->capture_default_str();
+  CLI::Option* world = command->add_option(
+      "--world", options->world,
+      "the simulated Pioneer in this world, in real time; without it the robot is the one that "
+      "--robot tells of");
+  command->add_option("--seed", options->seed, "of the world")
+      ->check(whole_number_from(0))
+      ->needs(world)
+      ->capture_default_str();
   add_common(*command, *options);
-  command->callback([options, &exit_code] { exit_code = serve(*options); });
+  command->callback([options, &exit_code] {
+    check_given(*options);
+    exit_code = serve(*options);
+  });
 }
 
 void add_run(CLI::App& ros, const std::shared_ptr<RosOptions>& options, int& exit_code) {
@@ -122,7 +141,10 @@ void add_run(CLI::App& ros, const std::shared_ptr<RosOptions>& options, int& exi
                          "Example: striate ros run config/tasks/corridor.yaml --var \"way=20 m\"");
   command->add_option("task", options->run.mission.task, "the task script")->required();
   add_common(*command, *options);
-  command->callback([options, &exit_code] { exit_code = run(*options); });
+  command->callback([options, &exit_code] {
+    check_given(*options);
+    exit_code = run(*options);
+  });
 }
 
 void add_replay(CLI::App& ros, int& exit_code) {
@@ -134,13 +156,20 @@ void add_replay(CLI::App& ros, int& exit_code) {
   command->add_option("bag", options->bag, "the bag")->required();
   command->add_option("--robot", options->robot,
                       "settings; the section 'ros' names topics where they are not found");
-  command->add_option("--out", options->out,
-                      "folder for percepts.jsonl, one line a picture pair, and pictures");
+  CLI::Option* out = command
+                         ->add_option("--out", options->out,
+                                      "folder for percepts.jsonl, one line a picture pair, and "
+                                      "pictures")
+                         ->type_name("FOLDER");
   command
       ->add_option("--picture-every", options->picture_every,
                    "an overview picture every so many picture pairs; 0: none")
-      ->check(CLI::Range(0, 1000000));
-  command->callback([options, &exit_code] { exit_code = replay(*options); });
+      ->check(CLI::Range(0, 1000000))
+      ->needs(out);
+  command->callback([options, &exit_code] {
+    make_folder(options->out);
+    exit_code = replay(*options);
+  });
 }
 
 }  // namespace

@@ -3,9 +3,11 @@
 #include <memory>
 #include <string>
 
+#include "app/command_line/whole_number.hpp"
 #include "app/commands/commands.hpp"
 #include "app/commands/run_on_robot.hpp"
 #include "app/files.hpp"
+#include "app/given_variables.hpp"
 #include "app/interrupt.hpp"
 #include "app/memory/landmark_knowledge.hpp"
 #include "app/mission.hpp"
@@ -14,7 +16,6 @@
 #include "app/recall/live_memory.hpp"
 #include "app/recording/mission_recorder.hpp"
 #include "app/status_line.hpp"
-#include "config/user_error.hpp"
 
 namespace striate {
 namespace {
@@ -83,7 +84,6 @@ int run(const RunOptions& given) {
   RunOptions options = given;
   if (!options.memory.empty()) options.mission.knowledge = read_mission_knowledge(options.memory);
   options.mission.emergency_layer = !options.no_emergency;
-  if (!options.result.empty()) check_writable(options.result);
   const Interrupt interrupt;
   MissionRecorder recorder(options.record, options.memory);
   Mission mission(options.mission);
@@ -123,12 +123,11 @@ int run(const RunOptions& given) {
 
 /// Without a world the robot is a real one.
 int run_with_robot(const RunOptions& options) {
-  if (!options.pictures.empty()) throw UserError("striate run: --pictures goes with --world");
   RunOnRobotOptions real;
   real.mission.task = options.mission.task;
   real.mission.robot = options.mission.robot;
   real.mission.emergency_layer = !options.no_emergency;
-  real.given = options.given;
+  real.mission.given = options.mission.given;
   real.memory = options.memory;
   real.record = options.record;
   real.inspect = options.inspect;
@@ -151,21 +150,28 @@ void add_run_command(CLI::App& app, int& exit_code) {
       "--var \"way=20 m\"\n"
       "Ctrl-C stops the robot, runs the task's 'finally' and still writes the result.");
   command->add_option("task", options->mission.task, "the task script")->required();
-  command->add_option("--world", options->mission.world,
-                      "the world file; without it the robot is the one that --robot tells of");
+  CLI::Option* world =
+      command->add_option("--world", options->mission.world,
+                          "the world file; without it the robot is the one that --robot tells of");
   command->add_option("--robot", options->mission.robot, "settings of the robot and its mind");
   command
       ->add_option("--seed", options->mission.seed,
                    "start offset, people, noise, odometry: the same seed is the same run")
+      ->check(whole_number_from(0))
+      ->needs(world)
       ->capture_default_str();
   command->add_flag("--no-emergency", options->no_emergency,
                     "sonar and laser do nothing: vision alone keeps the robot from touching");
+  CLI::Option* pictures = command
+                              ->add_option("--pictures", options->pictures,
+                                           "folder for overview pictures and the plan of the run")
+                              ->needs(world)
+                              ->type_name("FOLDER");
   command
       ->add_option("--picture-every", options->picture_every,
                    "an overview picture every so many cycles; 0: none")
-      ->check(CLI::Range(0, 1000000));
-  command->add_option("--pictures", options->pictures,
-                      "folder for overview pictures and the plan of the run");
+      ->check(CLI::Range(0, 1000000))
+      ->needs(pictures);
   command->add_option("--result", options->result, "JSON file for what came of it");
   command->add_option("--memory", options->memory,
                       "the long-term memory that keeps what happens; made where there is none");
@@ -174,18 +180,25 @@ void add_run_command(CLI::App& app, int& exit_code) {
   command->add_option("--inspect", options->inspect,
                       "file that shows once a second what short-term memory holds, for "
                       "'striate recall'");
-  command->add_option("--baseline", options->mission.baseline,
-                      "drive by other disparities: paper, sgbm (OpenCV's) or truth");
+  command
+      ->add_option("--baseline", options->mission.baseline,
+                   "drive by other disparities: the paper's, OpenCV's SGBM or the true ones")
+      ->check(CLI::IsMember({"paper", "sgbm", "truth"}))
+      ->needs(world);
   command
       ->add_option("--var", options->given,
-                   "a variable of the task, as \"way=20 m\", for a run without a world")
+                   "a variable of the task, as \"way=20 m\"; goes before what the world says")
+      ->type_name("NAME=VALUE")
       ->take_all();
   command->add_flag("--quiet", options->quiet, "print nothing");
   command->add_flag("--json", options->json, "print the result as JSON instead of the summary");
   command->callback([options, &exit_code] {
-    if (!options->mission.world.empty() && !options->given.empty()) {
-      throw UserError("striate run: --var goes without --world: the world says how far to drive");
+    for (const std::string& file :
+         {options->result, options->record, options->inspect, options->memory}) {
+      check_writable(file);
     }
+    make_folder(options->pictures);
+    options->mission.given = read_variables(options->given);
     exit_code = options->mission.world.empty() ? run_with_robot(*options) : run(*options);
   });
 }

@@ -8,22 +8,9 @@
 #include "app/recall/live_memory.hpp"
 #include "app/recording/mission_recorder.hpp"
 #include "app/status_line.hpp"
-#include "config/user_error.hpp"
 
 namespace striate {
 namespace {
-
-GivenVariables variables(const std::vector<std::string>& given) {
-  GivenVariables variables;
-  for (const std::string& text : given) {
-    const std::size_t equals = text.find('=');
-    if (equals == 0 || equals == std::string::npos) {
-      throw UserError("--var '" + text + "': is no variable\n  hint: --var \"way=20 m\"");
-    }
-    variables[text.substr(0, equals)] = text.substr(equals + 1);
-  }
-  return variables;
-}
 
 std::string status_text(const RobotMission& mission) {
   const CycleTrace& trace = mission.cycle().trace();
@@ -63,8 +50,6 @@ std::string json_of(const RunResult& result) {
 
 int run_on_robot(const RunOnRobotOptions& options) {
   RobotMissionOptions asked = options.mission;
-  asked.given = variables(options.given);
-  if (!options.result.empty()) check_writable(options.result);
   if (!options.memory.empty()) asked.knowledge = read_mission_knowledge(options.memory);
   const Interrupt interrupt;
   MissionRecorder recorder(options.record, options.memory);

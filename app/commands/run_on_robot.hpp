@@ -2,7 +2,6 @@
 
 #include <functional>
 #include <string>
-#include <vector>
 
 #include "app/robot_mission.hpp"
 
@@ -11,10 +10,9 @@ namespace striate {
 /// `striate run TASK --robot FILE`, without a world: the robot is a real one.
 struct RunOnRobotOptions {
   RobotMissionOptions mission;
-  std::vector<std::string> given;  ///< "way=20 m"
-  std::string memory;              ///< long-term memory; empty: none
-  std::string record;              ///< recording; empty: none
-  std::string inspect;             ///< short-term memory once a second; empty: none
+  std::string memory;   ///< long-term memory; empty: none
+  std::string record;   ///< recording; empty: none
+  std::string inspect;  ///< short-term memory once a second; empty: none
   std::string result;
   bool quiet = false;
   bool json = false;

@@ -6,7 +6,9 @@
 #include <iostream>
 #include <memory>
 
+#include "app/command_line/whole_number.hpp"
 #include "app/commands/commands.hpp"
+#include "app/files.hpp"
 #include "app/interrupt.hpp"
 #include "app/memory/memory_json.hpp"
 #include "app/memory/open_memory.hpp"
@@ -175,6 +177,7 @@ void undo(const TeachOptions& options) {
 }
 
 int run(const TeachOptions& options) {
+  check_writable(options.memory);
   if (options.undo) {
     if (!options.name.empty() || !options.images.empty()) {
       throw UserError(
@@ -216,7 +219,8 @@ void add_teach_command(CLI::App& app, int& exit_code) {
       "config/robots/sharp_eyes.yaml\n"
       "            --world config/worlds/objects_teach.yaml --at \"2 m, 0.2 m, 90 deg\"\n"
       "Says so where the thing looks like a known one, or has too little structure.");
-  command->add_option("name", options->name, "the name it gets; a known one gets further views");
+  command->add_option("name", options->name, "the name it gets; a known one gets further views")
+      ->type_name("NAME");
   command
       ->add_option("--image", options->images,
                    "a picture that shows the thing and little else, or a folder of such; "
@@ -224,18 +228,26 @@ void add_teach_command(CLI::App& app, int& exit_code) {
       ->allow_extra_args(false);
   command->add_option("--task", options->live.task,
                       "what the robot does to look at the thing ahead of it: a task with 'teach'");
-  command->add_option("--world", options->live.world, "where the robot is");
-  command->add_option("--at", options->at,
-                      "where it starts: along, left of the middle, heading; without it the world's "
-                      "start");
-  command->add_option("--from", options->from,
-                      "a recording (striate run --record) in which the thing stood ahead");
+  CLI::Option* world = command->add_option("--world", options->live.world, "where the robot is");
+  command
+      ->add_option("--at", options->at,
+                   "where it starts: along, left of the middle, heading; without it the world's "
+                   "start")
+      ->type_name("PLACE")
+      ->needs(world);
+  CLI::Option* from = command->add_option(
+      "--from", options->from, "a recording (striate run --record) in which the thing stood ahead");
   command
       ->add_option("--when", options->when,
-                   "with --from: when it did, as \"12.3 s\"; several: several views; without it "
+                   "when it did, as \"12.3 s\"; several: several views; without it "
                    "where the task taught it")
+      ->type_name("TIME")
+      ->needs(from)
       ->allow_extra_args(false);
-  command->add_option("--seed", options->live.seed, "of the run")->capture_default_str();
+  command->add_option("--seed", options->live.seed, "of the run")
+      ->check(whole_number_from(0))
+      ->needs(world)
+      ->capture_default_str();
   command->add_flag("--yes", options->yes, "keep it without asking");
   command->add_option("--memory", options->memory, "the memory; made where there is none")
       ->capture_default_str();

@@ -78,6 +78,7 @@ void ScriptReader::needed_parameters(const Node& root, Variables& variables) {
     Variable& variable = variables[name];
     variable.value.kind = Node::Kind::scalar;
     variable.value.open = true;
+    script_.task.variables.push_back(name);
     if (given_.find(name) != given_.end()) continue;
     script_.missing.push_back(name);
     const bool alone = context_.files.size() == 1;
