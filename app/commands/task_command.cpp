@@ -19,6 +19,7 @@ struct ShowOptions {
 
 int show(const ShowOptions& options) {
   const Task task = check_task(options.file, RobotDescription{});
+  fmt::print(stderr, "{}", task.notices);
   if (!options.svg.empty()) {
     check_writable(options.svg);
     write_file(options.svg, svg_tree(task.outline));
