@@ -21,6 +21,7 @@ int show(const ShowOptions& options) {
   check_writable(options.svg);
   check_writable(options.xml);
   const Task task = check_task(options.file, RobotDescription{});
+  fmt::print(stderr, "{}", task.notices);
   if (!options.svg.empty()) write_file(options.svg, svg_tree(task.outline));
   if (!options.xml.empty()) write_file(options.xml, xml_tree(task.outline));
   if (options.svg.empty() && options.xml.empty()) fmt::print("{}", text_tree(task.outline));
