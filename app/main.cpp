@@ -5,7 +5,7 @@
 #include <opencv2/core/utility.hpp>
 
 #include "app/commands/commands.hpp"
-#include "config/user_error.hpp"
+#include "base/user_error.hpp"
 
 namespace {
 

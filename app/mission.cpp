@@ -52,11 +52,11 @@ std::unique_ptr<TrueDepthPictures> with_depth(Baseline baseline, RendererPicture
 }
 
 /// Checks `needs: {landmarks: ...}` against what the memory knows.
-Task task_for(const MissionOptions& options, const simulator::World& world) {
+Task task_for(const MissionOptions& options, const RobotDescription& robot,
+              const simulator::World& world) {
   std::vector<std::string> names;
   if (options.knowledge) names = options.knowledge->names();
-  return load_task(options.task, RobotDescription{}, course_of(world),
-                   options.knowledge ? &names : nullptr);
+  return load_task(options.task, robot, course_of(world), options.knowledge ? &names : nullptr);
 }
 
 }  // namespace
@@ -66,7 +66,7 @@ Mission::Mission(const MissionOptions& options)
       settings_(settings_for(options)),
       world_(world_for(options)),
       plan_(simulator::build_floor_plan(world_)),
-      executive_(task_for(options, world_)),
+      executive_(task_for(options, simulated_robot(settings_), world_)),
       pictures_(std::make_unique<RendererPictures>(world_, plan_, settings_.camera, options.seed)),
       true_pictures_(with_depth(baseline_named(options.baseline), *pictures_, settings_)),
       disparities_(disparities_of(baseline_named(options.baseline), settings_.perception,
@@ -74,7 +74,8 @@ Mission::Mission(const MissionOptions& options)
       body_(std::make_unique<simulator::SimulatedPioneer>(
           world_, options.seed, settings_.simulator,
           true_pictures_ ? static_cast<simulator::PictureSource*>(true_pictures_.get())
-                         : pictures_.get())),
+                         : pictures_.get(),
+          simulated_robot(settings_))),
       watched_(std::make_unique<StopwatchRobot>(*body_)),
       cycle_(std::make_unique<CognitiveCycle>(*watched_, settings_, executive_)),
       stand_(body_->clock().now()) {

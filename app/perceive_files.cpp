@@ -12,8 +12,8 @@
 #include <stdexcept>
 
 #include "app/pictures/scene_pictures.hpp"
-#include "config/user_error.hpp"
-#include "platform/interface/geometry.hpp"
+#include "base/geometry.hpp"
+#include "base/user_error.hpp"
 
 namespace striate {
 namespace {

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "config/user_error.hpp"
+#include "base/user_error.hpp"
 #include "platform/pioneer/pioneer_robot.hpp"
 
 namespace striate {
@@ -50,7 +50,8 @@ RealBody connect_pioneer(const RobotSettings& settings) {
         "where its base and its camera are\n"
         "  hint: config/robots/pioneer.yaml does");
   }
-  auto robot = std::make_unique<pioneer::PioneerRobot>(settings.pioneer);
+  auto robot =
+      std::make_unique<pioneer::PioneerRobot>(settings.pioneer, described_by(settings.robot));
   const auto hold = [&driver = robot->driver()] {
     const pioneer::HoldReason reason = driver.report().hold;
     return reason == pioneer::HoldReason::none ? std::string() : std::string(name_of(reason));

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "base/limits.hpp"
 #include "behaviours/wish.hpp"
 
 namespace striate {
@@ -12,10 +13,10 @@ namespace striate {
 enum class MotorOwner : std::uint8_t { nobody, behaviour, pilot, guard, emergency };
 
 /// Gives the motors to one owner at a time. A wish is a lease: an owner that does not renew it
-/// within 200 ms loses the motors, and with nobody left the robot stands.
+/// within kWishLease loses the motors, and with nobody left the robot stands.
 class Arbiter {
  public:
-  static constexpr Duration kLease = std::chrono::milliseconds(200);
+  static constexpr Duration kLease = kWishLease;
 
   /// Hands in a wish; its lease counts from its own stamp.
   void offer(MotorOwner owner, const Wish& wish);

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/limits.hpp"
 #include "behaviours/footprint.hpp"
 #include "behaviours/wish.hpp"
 #include "config/settings.hpp"
@@ -17,13 +18,13 @@ struct SafetyLimiterSettings {
   double emergency_stop_m = 0.04;
   double slow_m = 0.60;
   double slow_m_s = 0.30;
-  double latency_s = 0.15;
+  double latency_s = kBrakeLatency_s;
   double picture_slow_s = 0.25;
   double picture_stop_s = 0.50;
-  double lease_s = 0.20;
+  double lease_s = to_seconds(kWishLease);
   double stall_pause_s = 1.0;
   double battery_slow_v = 11.2;
-  double battery_stop_v = 10.8;
+  double battery_stop_v = kEmptyBattery_v;
   double battery_slow_m_s = 0.20;
 };
 

@@ -105,7 +105,8 @@ const std::vector<LandmarkSighting>& FamiliarLandmarks::name(const Percept& perc
     Known& known = known_.at(static_cast<std::size_t>(found.landmark));
     if (std::isfinite(found.distance_m)) known.height_m = found.height_m;
     sightings_.push_back({known.record.id, known.record.name, percept.stamp, found.score,
-                          found.bearing_rad, found.distance_m});
+                          found.bearing_rad, found.distance_m,
+                          percept.disparity.focal_px * percept.disparity.baseline_m});
   }
   return sightings_;
 }

@@ -3,8 +3,8 @@
 #include <memory>
 
 #include "app/commands/commands.hpp"
-#include "app/files.hpp"
 #include "app/learning/learn_descriptor.hpp"
+#include "base/files.hpp"
 
 namespace striate {
 

@@ -3,13 +3,13 @@
 #include <algorithm>
 
 #include "app/commands/memory_command.hpp"
-#include "app/files.hpp"
 #include "app/memory/memory_json.hpp"
 #include "app/memory/memory_pictures.hpp"
 #include "app/memory/open_memory.hpp"
 #include "app/memory/text_table.hpp"
 #include "app/perceive_files.hpp"
 #include "app/run_result.hpp"
+#include "base/files.hpp"
 #include "memory/long_term/forgetting.hpp"
 
 namespace striate {

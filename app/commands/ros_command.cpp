@@ -6,7 +6,7 @@
 
 #include "app/commands/commands.hpp"
 #include "app/commands/run_on_robot.hpp"
-#include "config/user_error.hpp"
+#include "base/user_error.hpp"
 #ifdef STRIATE_HAS_ROS
 #include "app/ros/replay_bag.hpp"
 #include "app/ros/ros_bodies.hpp"
@@ -37,7 +37,10 @@ int run_and_tell(RosOptions& options, ros1::Tells tells, bool cmd_vel_drives) {
   std::unique_ptr<TellRos> ros;
   options.run.at_begin = [&](RobotMission& mission) {
     ros = std::make_unique<TellRos>(mission, tells);
-    if (cmd_vel_drives) mission.set_pilot(cmd_vel_pilot(mission.settings().ros));
+    if (cmd_vel_drives) {
+      const double tilt_rad = mission.body().description().resting_tilt_rad;
+      mission.set_pilot(cmd_vel_pilot(mission.settings().ros, tilt_rad));
+    }
     if (options.run.quiet || options.run.json) return;
     fmt::print("on ROS; Ctrl-C ends it\n");
     std::fflush(stdout);

@@ -5,7 +5,6 @@
 
 #include "app/commands/commands.hpp"
 #include "app/commands/run_on_robot.hpp"
-#include "app/files.hpp"
 #include "app/interrupt.hpp"
 #include "app/memory/landmark_knowledge.hpp"
 #include "app/mission.hpp"
@@ -14,7 +13,8 @@
 #include "app/recall/live_memory.hpp"
 #include "app/recording/mission_recorder.hpp"
 #include "app/status_line.hpp"
-#include "config/user_error.hpp"
+#include "base/files.hpp"
+#include "base/user_error.hpp"
 
 namespace striate {
 namespace {

@@ -2,13 +2,13 @@
 
 #include <fmt/format.h>
 
-#include "app/files.hpp"
 #include "app/interrupt.hpp"
 #include "app/mission_memory.hpp"
 #include "app/recall/live_memory.hpp"
 #include "app/recording/mission_recorder.hpp"
 #include "app/status_line.hpp"
-#include "config/user_error.hpp"
+#include "base/files.hpp"
+#include "base/user_error.hpp"
 
 namespace striate {
 namespace {

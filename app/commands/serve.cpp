@@ -74,7 +74,7 @@ int serve(const ServeOptions& options) {
   const RobotSettings settings = load_robot_settings(options.robot);
   pioneer::FirmwareSettings firmware;
   firmware.subclass = options.kind;
-  ServedPioneer robot(world, options.seed, settings.simulator, firmware);
+  ServedPioneer robot(world, options.seed, settings.simulator, firmware, simulated_robot(settings));
   ServeSettings serving;
   serving.address = options.address;
   serving.port = options.port;

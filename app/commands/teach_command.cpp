@@ -17,7 +17,7 @@
 #include "app/teaching/keep_taught.hpp"
 #include "app/teaching/live_teaching.hpp"
 #include "app/teaching/recorded_teaching.hpp"
-#include "config/user_error.hpp"
+#include "base/user_error.hpp"
 #include "memory/long_term/memory_writer.hpp"
 #include "memory/long_term/teaching.hpp"
 

@@ -7,7 +7,7 @@
 #include "app/objects/object_trial.hpp"
 #include "app/trial/trial.hpp"
 #include "app/trial/trial_merge.hpp"
-#include "config/user_error.hpp"
+#include "base/user_error.hpp"
 
 namespace striate {
 namespace {

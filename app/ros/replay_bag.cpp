@@ -8,10 +8,10 @@
 #include <opencv2/core.hpp>
 #include <stdexcept>
 
-#include "app/files.hpp"
 #include "app/interrupt.hpp"
 #include "app/perceive_files.hpp"
 #include "app/pictures/overview.hpp"
+#include "base/files.hpp"
 #include "platform/ros/bag_robot.hpp"
 
 namespace striate {
@@ -88,7 +88,9 @@ int replay_bag(const ReplayBagOptions& options) {
   RobotMissionOptions asked;
   asked.robot = options.robot;
   asked.body = [&options](const RobotSettings& settings) -> RealBody {
-    return {std::make_unique<ros1::BagRobot>(options.bag, settings.ros), options.bag, {}};
+    return {std::make_unique<ros1::BagRobot>(options.bag, settings.ros, simulated_robot(settings)),
+            options.bag,
+            {}};
   };
   const Interrupt interrupt;
   RobotMission mission(asked);

@@ -17,7 +17,7 @@ class SimulatedBody final : public Robot {
       : world_(simulator::load_world(world)),
         plan_(simulator::build_floor_plan(world_)),
         pictures_(world_, plan_, settings.camera, seed),
-        body_(world_, seed, settings.simulator, &pictures_) {}
+        body_(world_, seed, settings.simulator, &pictures_, simulated_robot(settings)) {}
   [[nodiscard]] const RobotDescription& description() const override { return body_.description(); }
   [[nodiscard]] const Clock& clock() const override { return body_.clock(); }
   bool sense(Senses& senses) override { return body_.sense(senses); }
@@ -43,7 +43,7 @@ RealBody simulated_body(const RobotSettings& settings, const std::string& world,
 }
 
 RealBody ros_body(const RobotSettings& settings) {
-  auto robot = std::make_unique<ros1::RosRobot>(settings.ros);
+  auto robot = std::make_unique<ros1::RosRobot>(settings.ros, simulated_robot(settings));
   const auto hold = [&gate = *robot] { return gate.hold(); };
   return {std::move(robot), "ROS", hold};
 }

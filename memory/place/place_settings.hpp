@@ -16,7 +16,6 @@ struct PlaceSettings {
   // Sightings.
   double bearing_error_rad = 0.01;
   double disparity_error_px = 0.5;
-  double disparity_metre_px = 24.4;
   double middle_error_m = 0.05;
   double gate = 13.8;
   double new_look_after_m = 0.2;
@@ -42,8 +41,8 @@ void visit(V& v, PlaceSettings& s) {
            "of a landmark's bearing by one look");
   v.number("disparity_error", s.disparity_error_px, Unit::pixels, {0.01, 10},
            "of a landmark's disparity: the error of its range grows with the square of the range");
-  v.number("disparity_metre", s.disparity_metre_px, Unit::none, {1, 1000},
-           "focal length in px times baseline in m: range = this / disparity");
+  v.retired("disparity_metre",
+            "the camera says it: focal length times baseline comes with each picture");
   v.number("middle_error", s.middle_error_m, Unit::length, {0, 1},
            "of what is taken for a landmark's middle");
   v.number("gate", s.gate, Unit::none, {1, 100},

@@ -1,19 +1,20 @@
 #pragma once
 
+#include "base/limits.hpp"
 #include "config/settings.hpp"
 
 namespace striate::pioneer {
 
 struct SafetyGateSettings {
-  double command_lease_s = 0.5;
+  double command_lease_s = to_seconds(kCommandLease);
   double silence_s = 0.3;
   double send_every_s = 0.1;
   double laser_stale_s = 0.5;
   double stall_pause_s = 1.0;
   bool sonar = true;
   double sonar_stop_m = 0.10;
-  double latency_s = 0.15;
-  double battery_stop_v = 10.8;
+  double latency_s = kBrakeLatency_s;
+  double battery_stop_v = kEmptyBattery_v;
 };
 
 template <class V>

@@ -10,8 +10,6 @@ using arcos::command;
 
 namespace {
 
-/// The longest packet takes 269 ms at 9600 baud; a count that promises more never comes true.
-constexpr Duration kLongestPacket = std::chrono::milliseconds(280);
 constexpr Duration kConfigAgain = std::chrono::milliseconds(200);
 constexpr Duration kConfigPatience = std::chrono::milliseconds(1000);
 constexpr Duration kOpenAgain = std::chrono::milliseconds(500);
@@ -216,7 +214,7 @@ void Session::tell_limits() {
 }
 
 void Session::tick(TimePoint now) {
-  if (incomplete_ && now - incomplete_since_ > kLongestPacket) {
+  if (incomplete_ && now - incomplete_since_ > arcos::kLongestPacket) {
     stream_.give_up_waiting();
     incomplete_ = false;
     receive({}, now);

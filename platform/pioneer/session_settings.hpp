@@ -1,6 +1,7 @@
 #pragma once
 
 #include "config/settings.hpp"
+#include "platform/interface/robot.hpp"
 
 namespace striate::pioneer {
 
@@ -13,10 +14,10 @@ struct SessionSettings {
   double lost_after_s = 2.0;
   double back_off_s = 0.5;
   double longest_back_off_s = 8.0;
-  double most_forward_m_s = 0.75;
-  double most_turn_rad_s = 1.2;
-  double acceleration_m_s2 = 0.5;
-  double turn_acceleration_rad_s2 = 2.0;
+  double most_forward_m_s = RobotDescription{}.max_forward_m_s;
+  double most_turn_rad_s = RobotDescription{}.max_turn_rad_s;
+  double acceleration_m_s2 = RobotDescription{}.max_acceleration_m_s2;
+  double turn_acceleration_rad_s2 = RobotDescription{}.max_turn_acceleration_rad_s2;
 };
 
 template <class V>

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "base/limits.hpp"
 #include "config/settings.hpp"
 
 namespace striate::ros1 {
@@ -31,7 +32,7 @@ struct RosSettings {
   double pairing_s = 0.02;
   double stale_s = 0.5;
   double lost_s = 5.0;
-  double lease_s = 0.5;
+  double lease_s = to_seconds(kCommandLease);
   double focal_px = 0.0;
   double baseline_m = 0.0;
   double fixed_tilt_rad = 0.0;

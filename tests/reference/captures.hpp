@@ -14,8 +14,6 @@
 /// They are looked for in STRIATE_SHARED_DATA/captures and are not part of the project.
 namespace striate::reference {
 
-using pioneer::Bytes;
-
 /// "fa fb 03 00 00 00" as bytes.
 inline Bytes from_hex(const std::string& text) {
   std::istringstream words(text);

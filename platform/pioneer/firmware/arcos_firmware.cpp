@@ -11,7 +11,6 @@ using arcos::SipFlag;
 
 namespace {
 
-constexpr Duration kLongestPacket = std::chrono::milliseconds(280);
 constexpr std::uint16_t kNoEchoMm = 5000;
 constexpr double kTicksPerMm = 128.0;
 constexpr double kStandsMm_s = 5.0;
@@ -232,7 +231,7 @@ void ArcosFirmware::drive_by_joystick() {
 void ArcosFirmware::step(TimePoint now, Duration step, const FirmwareSenses& senses) {
   now_ = now;
   senses_ = senses;
-  if (incomplete_ && now - incomplete_since_ > kLongestPacket) {
+  if (incomplete_ && now - incomplete_since_ > arcos::kLongestPacket) {
     stream_.give_up_waiting();
     incomplete_since_ = now;
     receive({}, now);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/pioneer_devices.hpp"
 #include "config/settings.hpp"
 
 namespace striate::pioneer {
@@ -9,7 +10,7 @@ enum class LaserKind { hokuyo, lms200 };
 /// What both kinds of laser need to know.
 struct LaserSettings {
   LaserKind kind = LaserKind::hokuyo;
-  double forward_m = 0.021;
+  double forward_m = kLaserForward_m;
   double reply_patience_s = 0.5;
   double stale_after_s = 0.5;
   double begin_again_after_s = 1.0;

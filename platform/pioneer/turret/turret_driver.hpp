@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "config/settings.hpp"
-#include "platform/interface/senses.hpp"
+#include "platform/interface/robot.hpp"
 #include "platform/pioneer/turret/dynamixel.hpp"
 
 namespace striate::pioneer {
@@ -13,8 +13,8 @@ struct TurretSettings {
   int pan_id = 1;
   int tilt_id = 2;
   double most_speed_rad_s = 1.0;
-  double most_pan_rad = 1.5;
-  double most_tilt_rad = 0.6;
+  double most_pan_rad = RobotDescription{}.max_pan_rad;
+  double most_tilt_rad = RobotDescription{}.max_tilt_rad;
   double patience_s = 0.03;
   int silent_after = 5;
   double stuck_after_s = 1.0;
