@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "app/robot_settings.hpp"
@@ -35,8 +36,9 @@ struct BodySource {
   /// Wakes it; may change what the mind sees by, as a baseline does.
   /// @throws UserError, std::runtime_error when it does not come up
   std::function<Body(RobotSettings&)> wake;
-  GivenVariables given = {};          ///< what tasks are told of the place: how far it is
-  RobotDescription description = {};  ///< what is known of it before it is woken
+  GivenVariables given = {};  ///< what tasks are told of the place: how far it is
+  /// What is known of it before it is woken; none: what the settings say of their robot.
+  std::optional<RobotDescription> description = {};
 };
 
 /// The Pioneer whose devices the settings name. @throws UserError, when woken, where they do not.

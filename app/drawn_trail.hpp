@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <deque>
 
-#include "platform/interface/geometry.hpp"
+#include "base/geometry.hpp"
 
 namespace striate {
 

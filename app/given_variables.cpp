@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "config/quantity.hpp"
-#include "config/user_error.hpp"
+#include "base/user_error.hpp"
 
 namespace striate {
 

@@ -13,7 +13,7 @@
 #include "app/command_line/mistakes.hpp"
 #include "app/command_line/old_names.hpp"
 #include "app/commands/commands.hpp"
-#include "config/user_error.hpp"
+#include "base/user_error.hpp"
 
 namespace {
 

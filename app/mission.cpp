@@ -36,12 +36,12 @@ Task task_for(const MissionOptions& options, const GivenVariables& given,
 MissionParts prepare(const MissionOptions& options, const BodySource& body) {
   MissionParts parts;
   parts.robot_file = options.robot;
-  parts.settings = load_robot_settings(options.robot);
+  parts.settings = load_robot_settings(options.robot, &parts.notices);
   if (!options.emergency_layer) parts.settings.safety.emergency_layer = false;
   parts.given = options.given;
   parts.given.insert(body.given.begin(), body.given.end());
   // Only the woken robot knows its limits; mistakes in the task are told before.
-  (void)task_for(options, parts.given, body.description);
+  (void)task_for(options, parts.given, body.description.value_or(simulated_robot(parts.settings)));
   parts.body = body.wake(parts.settings);
   parts.task = task_for(options, parts.given, parts.body.robot->description());
   for (const auto& [name, value] : body.given) {

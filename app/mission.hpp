@@ -34,6 +34,7 @@ struct MissionParts {
   std::optional<MissionKnowledge> knowledge;
   std::string robot_file;  ///< that the settings are from; "" for none
   GivenVariables given;    ///< all that the task was given
+  std::string notices;     ///< of the settings
 };
 
 /// Reads and checks everything, then wakes the body. Nothing has moved.
@@ -65,6 +66,8 @@ class Mission {
   [[nodiscard]] CognitiveCycle& cycle() { return cycle_; }
   [[nodiscard]] const Executive& executive() const { return executive_; }
   [[nodiscard]] const RobotSettings& settings() const { return parts_.settings; }
+  /// What was read but should be written otherwise, for the caller to show; "" for nothing.
+  [[nodiscard]] std::string notices() const { return parts_.notices + executive_.task().notices; }
   [[nodiscard]] const std::string& robot_file() const { return parts_.robot_file; }
   [[nodiscard]] const GivenVariables& given() const { return parts_.given; }
   [[nodiscard]] const Robot& body() const { return *parts_.body.robot; }

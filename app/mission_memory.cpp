@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "app/memory/open_memory.hpp"
-#include "config/user_error.hpp"
+#include "base/user_error.hpp"
 #include "memory/long_term/learning.hpp"
 #include "memory/place/place_keeping.hpp"
 

@@ -10,11 +10,11 @@
 #include <opencv2/imgproc.hpp>
 #include <string>
 
-#include "app/files.hpp"
 #include "app/perceive_files.hpp"
 #include "app/pictures/overview.hpp"
 #include "app/read_picture.hpp"
-#include "config/user_error.hpp"
+#include "base/files.hpp"
+#include "base/user_error.hpp"
 #include "perception/perception.hpp"
 
 namespace striate {
@@ -134,7 +134,7 @@ void find_near_blobs(const PerceiveOptions& o, const StereoFrame& frame, Judged&
       o.near_px > 0.0 ? o.near_px : split_near_from_far(percept.disparity.disparity_px);
   DisparityMap map = percept.disparity;
   if (o.focal_px <= 0.0) {  // relative units: one baseline is 1, the view as wide as the robot's
-    map.focal_px = kPaperFocal_px / kPaperWidth_px * map.disparity_px.cols;
+    map.focal_px = 0.5 * map.disparity_px.cols / std::tan(0.5 * judged.robot.view_rad);
     map.baseline_m = 1.0;
     map.centre_u_px = 0.5 * (map.disparity_px.cols - 1);
     map.centre_v_px = 0.5 * (map.disparity_px.rows - 1);

@@ -11,10 +11,10 @@
 #include <opencv2/imgproc.hpp>
 #include <stdexcept>
 
-#include "app/files.hpp"
+#include "base/files.hpp"
 #include "app/pictures/scene_pictures.hpp"
-#include "config/user_error.hpp"
-#include "platform/interface/geometry.hpp"
+#include "base/geometry.hpp"
+#include "base/user_error.hpp"
 
 namespace striate {
 namespace {

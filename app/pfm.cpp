@@ -11,7 +11,7 @@
 #include <limits>
 #include <vector>
 
-#include "config/user_error.hpp"
+#include "base/user_error.hpp"
 
 namespace striate {
 namespace {

@@ -6,16 +6,18 @@
 #include <cstddef>
 #include <string_view>
 
+#include "base/crc_table.hpp"
+
 namespace striate {
 namespace {
 
 /// Sides beyond are refused anyway; products of smaller ones fit 64 bits.
 constexpr std::int64_t kNoPicture_px = 1'000'000;
 
-/// Bytes with bounds: what lies behind the end reads as zero.
-class Bytes {
+/// PictureBytes with bounds: what lies behind the end reads as zero.
+class PictureBytes {
  public:
-  explicit Bytes(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
+  explicit PictureBytes(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
   [[nodiscard]] std::size_t size() const { return bytes_.size(); }
   [[nodiscard]] std::uint32_t at(std::size_t i) const { return i < size() ? bytes_[i] : 0U; }
   [[nodiscard]] std::uint32_t big16(std::size_t i) const { return at(i) << 8 | at(i + 1); }
@@ -36,23 +38,15 @@ class Bytes {
 };
 
 /// The checksum of PNG chunks (ISO 3309, reflected polynomial 0xEDB88320).
-std::uint32_t checksum(const Bytes& bytes, std::size_t from, std::size_t to) {
+std::uint32_t checksum(const PictureBytes& bytes, std::size_t from, std::size_t to) {
   // CRC-32 of PNG (ISO 3309) of every byte
-  static const auto kTable = [] {
-    std::array<std::uint32_t, 256> table{};
-    for (std::uint32_t n = 0; n < table.size(); ++n) {
-      std::uint32_t c = n;
-      for (int bit = 0; bit < 8; ++bit) c = (c & 1U) != 0 ? 0xEDB88320U ^ (c >> 1) : c >> 1;
-      table[n] = c;
-    }
-    return table;
-  }();
+  static constexpr auto kTable = reflected_crc_table(0xEDB88320U);
   std::uint32_t c = 0xFFFFFFFFU;
   for (std::size_t i = from; i < to; ++i) c = kTable[(c ^ bytes.at(i)) & 0xFFU] ^ (c >> 8);
   return ~c;
 }
 
-PictureHeader png(const Bytes& bytes) {
+PictureHeader png(const PictureBytes& bytes) {
   PictureHeader header{bytes.big32(16), bytes.big32(20)};
   for (std::size_t at = 8; at + 12 <= bytes.size();) {
     const std::size_t data_end = at + 8 + bytes.big32(at);
@@ -70,7 +64,7 @@ bool is_start_of_frame(std::uint32_t marker) {
   return marker >= 0xC0 && marker <= 0xCF && marker != 0xC4 && marker != 0xC8 && marker != 0xCC;
 }
 
-PictureHeader jpeg(const Bytes& bytes) {
+PictureHeader jpeg(const PictureBytes& bytes) {
   constexpr std::uint32_t kEnd = 0xD9;  // JPEG's EOI marker (ITU-T T.81)
   PictureHeader header;
   for (std::size_t at = 2; at + 1 < bytes.size();) {
@@ -97,7 +91,7 @@ PictureHeader jpeg(const Bytes& bytes) {
 
 /// The next number of a PNM header; comments run from # to the end of the line. At most ten digits
 /// count, so that nothing overflows.
-std::int64_t pnm_number(const Bytes& bytes, std::size_t& at) {
+std::int64_t pnm_number(const PictureBytes& bytes, std::size_t& at) {
   while (at < bytes.size() && std::isdigit(static_cast<int>(bytes.at(at))) == 0) {
     if (bytes.at(at) == '#') {
       while (at < bytes.size() && bytes.at(at) != '\n') ++at;
@@ -111,7 +105,7 @@ std::int64_t pnm_number(const Bytes& bytes, std::size_t& at) {
   return value;
 }
 
-PictureHeader pnm(const Bytes& bytes) {
+PictureHeader pnm(const PictureBytes& bytes) {
   const std::uint32_t kind = bytes.at(1) - '0';
   std::size_t at = 2;
   PictureHeader header;
@@ -129,7 +123,7 @@ PictureHeader pnm(const Bytes& bytes) {
   return header;
 }
 
-PictureHeader bmp(const Bytes& bytes) {
+PictureHeader bmp(const PictureBytes& bytes) {
   PictureHeader header;
   if (bytes.little32(14) == 12) {  // the oldest header has 16-bit sizes
     header.width_px = bytes.little16(18);
@@ -149,7 +143,7 @@ PictureHeader bmp(const Bytes& bytes) {
   return header;
 }
 
-PictureHeader tiff(const Bytes& bytes) {
+PictureHeader tiff(const PictureBytes& bytes) {
   const bool little = bytes.says(0, "II");
   const auto two = [&](std::size_t i) { return little ? bytes.little16(i) : bytes.big16(i); };
   const auto four = [&](std::size_t i) { return little ? bytes.little32(i) : bytes.big32(i); };
@@ -169,7 +163,7 @@ PictureHeader tiff(const Bytes& bytes) {
   return header;
 }
 
-PictureHeader webp(const Bytes& bytes) {
+PictureHeader webp(const PictureBytes& bytes) {
   PictureHeader header;
   if (bytes.says(12, "VP8X")) {  // 24 bits each, less one
     header.width_px = 1 + (bytes.little32(24) & 0xFFFFFFU);
@@ -188,7 +182,7 @@ PictureHeader webp(const Bytes& bytes) {
 }  // namespace
 
 std::optional<PictureHeader> read_picture_header(std::span<const std::uint8_t> data) {
-  const Bytes bytes(data);
+  const PictureBytes bytes(data);
   if (bytes.says(0, "\x89PNG\r\n\x1a\n")) return png(bytes);
   if (bytes.says(0, "\xFF\xD8\xFF")) return jpeg(bytes);
   if (bytes.says(0, "BM")) return bmp(bytes);

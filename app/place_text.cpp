@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "base/user_error.hpp"
 #include "config/quantity.hpp"
-#include "config/user_error.hpp"
 
 namespace striate {
 

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "platform/interface/geometry.hpp"
+#include "base/geometry.hpp"
 
 namespace striate {
 

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "app/picture_header.hpp"
-#include "config/user_error.hpp"
+#include "base/user_error.hpp"
 
 namespace striate {
 namespace {

@@ -1,7 +1,7 @@
 #include <utility>
 
 #include "app/body.hpp"
-#include "config/user_error.hpp"
+#include "base/user_error.hpp"
 #include "platform/pioneer/pioneer_robot.hpp"
 
 namespace striate {
@@ -15,7 +15,8 @@ BodySource real_pioneer() {
           "FILE must say where its base and its camera are\n"
           "  hint: config/robots/pioneer.yaml does");
     }
-    auto robot = std::make_unique<pioneer::PioneerRobot>(settings.pioneer);
+    auto robot =
+        std::make_unique<pioneer::PioneerRobot>(settings.pioneer, described_by(settings.robot));
     const auto hold = [&driver = robot->driver()] {
       const pioneer::HoldReason reason = driver.report().hold;
       return reason == pioneer::HoldReason::none ? std::string() : std::string(name_of(reason));

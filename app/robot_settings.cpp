@@ -32,13 +32,23 @@ int line_of(const config::Node& root, const std::string& dotted_key) {
 
 }  // namespace
 
-RobotSettings load_robot_settings(const std::string& file) {
+RobotSettings load_robot_settings(const std::string& file, std::string* warnings) {
   if (file.empty()) return {};
   config::Mistakes mistakes(file);
   const config::Node root = load_yaml(mistakes);
   RobotSettings settings = read(root, mistakes);
   mistakes.throw_if_any();
+  if (warnings != nullptr) *warnings = mistakes.warnings();
   return settings;
+}
+
+RobotDescription simulated_robot(const RobotSettings& settings) {
+  RobotDescription robot = described_by(settings.robot);
+  robot.camera_height_m = settings.camera.height_above_floor_m;
+  robot.camera_forward_m = settings.camera.forward_of_axle_m;
+  robot.view_rad = settings.camera.field_rad;
+  robot.resting_tilt_rad = settings.camera.resting_tilt_rad;
+  return robot;
 }
 
 std::vector<SettingInForce> settings_in_force(const std::string& file) {

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "app/body_settings.hpp"
 #include "behaviours/safety_limiter.hpp"
 #include "config/settings.hpp"
 #include "memory/long_term/long_term_settings.hpp"
@@ -17,6 +18,7 @@ namespace striate {
 
 /// Everything that can be set about a robot and its mind: the file that `--robot` names.
 struct RobotSettings {
+  BodySettings robot;
   PerceptionSettings perception;
   ShortTermMemorySettings memory;
   LongTermSettings long_term_memory;
@@ -29,6 +31,7 @@ struct RobotSettings {
 
 template <class V>
 void visit(V& v, RobotSettings& s) {
+  v.section("robot", s.robot);
   v.section("perception", s.perception);
   v.section("memory", s.memory);
   v.section("long_term_memory", s.long_term_memory);
@@ -40,8 +43,12 @@ void visit(V& v, RobotSettings& s) {
 }
 
 /// The defaults, changed by what the file says; "" is the defaults alone.
+/// @param warnings takes what is no mistake but should be changed, if not null.
 /// @throws UserError with all mistakes of the file.
-RobotSettings load_robot_settings(const std::string& file);
+RobotSettings load_robot_settings(const std::string& file, std::string* warnings = nullptr);
+
+/// The simulated robot with its camera, as the settings make it. A real one knows its own camera.
+[[nodiscard]] RobotDescription simulated_robot(const RobotSettings& settings);
 
 /// One setting in force and where its value came from.
 struct SettingInForce {

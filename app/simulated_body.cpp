@@ -40,7 +40,8 @@ SimulatedBody::SimulatedBody(const RobotSettings& settings, simulator::World wor
                                   true_pictures_.get())),
       body_(world_, options.seed, settings.simulator,
             true_pictures_ ? static_cast<simulator::PictureSource*>(true_pictures_.get())
-                           : &pictures_) {}
+                           : &pictures_,
+            simulated_robot(settings)) {}
 
 BodySource simulated_pioneer(const WorldOptions& options) {
   simulator::World world = simulator::load_world(options.world);

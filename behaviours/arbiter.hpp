@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <initializer_list>
 
+#include "base/limits.hpp"
 #include "behaviours/wish.hpp"
 
 namespace striate {
@@ -19,10 +20,10 @@ struct Claim {
 };
 
 /// Gives the motors to one owner at a time. A wish is a lease: an owner that does not renew it
-/// within 200 ms loses the motors, and with nobody left the robot stands.
+/// within kWishLease loses the motors, and with nobody left the robot stands.
 class Arbiter {
  public:
-  static constexpr Duration kLease = std::chrono::milliseconds(200);  ///< two cycles of 100 ms
+  static constexpr Duration kLease = kWishLease;  ///< two cycles of 100 ms
 
   /// Hands in a wish; its lease counts from its own stamp.
   void offer(MotorOwner owner, const Wish& wish);

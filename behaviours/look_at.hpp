@@ -16,10 +16,14 @@ class LookAt : public Behaviour {
   struct Settings {
     Target target = Target::direction;
     double pan_rad = 0.0;
-    double tilt_rad = kRestingTilt_rad;
+    double tilt_rad = RobotDescription{}.resting_tilt_rad;
     double for_s = 1.0;
   };
 
+  /// With the head's resting tilt of that robot.
+  [[nodiscard]] static Settings defaults_for(const RobotDescription& robot) {
+    return {.tilt_rad = robot.resting_tilt_rad};
+  }
   LookAt(const Settings& settings, const RobotDescription& robot);
   void start(const ShortTermMemory& memory) override;
   Wish tick(const ShortTermMemory& memory) override;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/stopping_speed.hpp"
 #include "behaviours/steering.hpp"
 
 namespace striate {
@@ -87,13 +88,6 @@ void cap(Pace& pace, double speed_m_s, const char* reason) {
   if (speed_m_s >= pace.speed_m_s) return;
   pace.speed_m_s = speed_m_s;
   pace.reason = reason;
-}
-
-// v such that v latency + v^2 / 2a fits into the distance.
-double stopping_speed(double distance_m, double deceleration, double latency_s) {
-  if (distance_m <= 0.0) return 0.0;
-  const double lag = deceleration * latency_s;
-  return std::sqrt(lag * lag + 2.0 * deceleration * distance_m) - lag;
 }
 
 struct Margins {

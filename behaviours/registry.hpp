@@ -50,6 +50,13 @@ std::vector<std::string> required_of() {
   return {};
 }
 
+/// And defaults that depend on the robot: `static Settings defaults_for(const RobotDescription&)`.
+template <class B>
+typename B::Settings defaults_of(const RobotDescription& robot) {
+  if constexpr (requires { B::defaults_for(robot); }) return B::defaults_for(robot);
+  return {};
+}
+
 /// `- say: hello` as `- say: {text: hello}`; anything else as it is.
 [[nodiscard]] config::Node with_main(const config::Node& arguments, const std::string& main);
 
@@ -67,7 +74,7 @@ BehaviourEntry behaviour_entry(const std::string& name, const std::string& help)
   entry.make = [name, main = entry.main, required = entry.required](
                    const config::Node& given, config::Mistakes& mistakes,
                    const RobotDescription& robot) -> std::unique_ptr<Behaviour> {
-    typename B::Settings settings;
+    typename B::Settings settings = detail::defaults_of<B>(robot);
     const config::Node arguments = detail::with_main(given, main);
     config::SettingsReader reader(arguments, name, mistakes);
     visit(reader, settings);

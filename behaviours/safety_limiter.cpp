@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/stopping_speed.hpp"
+
 namespace striate {
 namespace {
 
@@ -68,9 +70,7 @@ void SafetyLimiter::gather_echoes(const RangeScan& scan) {
 // How much of the speed still stops in time before a thing that is `way_m` of travel away.
 double SafetyLimiter::allowed_share(double way_m, double speed_m_s) const {
   if (way_m <= 0.0) return 0.0;
-  const double a = robot_.max_acceleration_m_s2;
-  const double lag = a * settings_.latency_s;
-  const double allowed = std::sqrt(lag * lag + 2.0 * a * way_m) - lag;
+  const double allowed = stopping_speed(way_m, robot_.max_acceleration_m_s2, settings_.latency_s);
   const double zoned = way_m < settings_.slow_m ? std::min(allowed, settings_.slow_m_s) : allowed;
   return zoned / speed_m_s;
 }

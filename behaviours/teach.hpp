@@ -16,14 +16,18 @@ namespace striate {
 class Teach : public Behaviour {
  public:
   struct Settings {
-    int views = 4;         ///< with these eight of eight things were found: `trial --objects`
+    int views = 4;  ///< with these eight of eight things were found: `trial --objects`
     double near_m = 1.05;  ///< by hand: about the nearest distance of `trial --objects`
     double aside_rad = radians(25.0);  ///< by hand: two views 50 degrees apart
-    double tilt_rad = kRestingTilt_rad;
+    double tilt_rad = RobotDescription{}.resting_tilt_rad;
   };
   /// The reason of the wish in the cycle whose picture is to be kept.
   static constexpr const char* kTakesView = "looks still: a view is kept";
 
+  /// With the head's resting tilt of that robot.
+  [[nodiscard]] static Settings defaults_for(const RobotDescription& robot) {
+    return {.tilt_rad = robot.resting_tilt_rad};
+  }
   Teach(const Settings& settings, const RobotDescription& robot);
   void start(const ShortTermMemory& memory) override;
   Wish tick(const ShortTermMemory& memory) override;

@@ -1,12 +1,11 @@
 #include "behaviours/way_follower.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "behaviours/behind.hpp"
+#include "behaviours/short_format.hpp"
+#include "behaviours/view_angles.hpp"
 
 namespace striate {
 namespace {
@@ -27,9 +26,6 @@ constexpr double kLookSweep_s = 4.0;
 // With half the view (0.375 rad) everything within 73 degrees to either side is seen.
 constexpr double kSweep_rad = 0.9;
 constexpr double kHeadTurn_rad = 0.6;  // by hand: standing, the eyes may leave the lane
-// Both flanks of the robot's lane, a metre on, stay in the 43 degree view: 0.375 - atan(0.21 m / 1
-// m).
-constexpr double kHeadDriving_rad = 0.16;
 constexpr double kDrives_m_s = 0.1;     // by hand: faster than this the narrow limit holds
 constexpr double kGazeAhead_m = 1.8;    // by hand: the point of the way that is looked at
 constexpr double kNearestGaze_m = 0.3;  // by hand: nearer, its bearing would leap
@@ -63,17 +59,15 @@ constexpr double kBackLook_s = 1.5;
 constexpr double kBackClear_m = 0.03;
 constexpr double kBackLongest_s = 5.0;  // by hand: 0.35 m take 2.9 s at this speed
 
-template <class... Args>
-ShortText text(std::string_view format, const Args&... args) {
-  std::array<char, ShortText::kCapacity> buffer;
-  const auto end = fmt::format_to_n(buffer.data(), buffer.size(), fmt::runtime(format), args...);
-  return std::string_view(buffer.data(), std::min(end.size, buffer.size()));
-}
-
 }  // namespace
 
 WayFollower::WayFollower(const DrivingSettings& settings, const RobotDescription& robot)
-    : settings_(settings), robot_(robot), steering_(robot, settings.wanted_clearance_m) {}
+    : settings_(settings),
+      robot_(robot),
+      look_down_rad_(same_floor_tilt(robot, kLookDown_rad)),
+      glance_down_rad_(same_floor_tilt(robot, kGlanceDown_rad)),
+      pan_driving_rad_(pan_while_driving(robot)),
+      steering_(robot, settings.wanted_clearance_m) {}
 
 void WayFollower::start(const ShortTermMemory& memory) {
   planner_.forget_choice();
@@ -139,7 +133,7 @@ Wish WayFollower::tick(const ShortTermMemory& memory, const Course& course) {
   planner_.plan(field_, memory.pose(), request);
   if (troubles_ >= settings_.tries) {
     return final_wish(memory, Progress::failed,
-                      text("no way through after {} tries in one place", troubles_));
+                      short_format("no way through after {} tries in one place", troubles_));
   }
   switch (state_) {
     case State::waiting:
@@ -180,7 +174,7 @@ Wish WayFollower::drive(const ShortTermMemory& memory, const Course& course) {
   if (speed < kLeastSpeed_m_s) {
     impossible_since_ = memory.now();
     free_to_move_at_ = memory.now();
-    wish.why = text("waits: {}", pace.reason);
+    wish.why = short_format("waits: {}", pace.reason);
     return wish;
   }
   const Drive drive = steer(memory, course, speed);
@@ -202,7 +196,7 @@ Wish WayFollower::drive(const ShortTermMemory& memory, const Course& course) {
   wish.turn_rad_s = drive.turn_rad_s;
   aim_head(memory, pace, wish);
   if (speed < course.cruise_m_s - kClearlySlower_m_s) {
-    wish.why = text("slow: {}", dim && pace.speed_m_s > speed ? "it is dark" : pace.reason);
+    wish.why = short_format("slow: {}", dim && pace.speed_m_s > speed ? "it is dark" : pace.reason);
   }
   return wish;
 }
@@ -233,7 +227,7 @@ Drive WayFollower::steer(const ShortTermMemory& memory, const Course& course,
 
 void WayFollower::aim_head(const ShortTermMemory& memory, const Pace& pace, Wish& wish) {
   const Point2 ahead = to_inner(memory.pose(), Steering::point_at(planner_.way(), kGazeAhead_m));
-  const double most_rad = wish.forward_m_s > kDrives_m_s ? kHeadDriving_rad : kHeadTurn_rad;
+  const double most_rad = wish.forward_m_s > kDrives_m_s ? pan_driving_rad_ : kHeadTurn_rad;
   wish.pan_rad =
       std::clamp(std::atan2(ahead.y_m, std::max(kNearestGaze_m, ahead.x_m)), -most_rad, most_rad);
   if (std::isfinite(pace.mover_m)) wish.pan_rad = std::clamp(pace.mover_rad, -most_rad, most_rad);
@@ -241,9 +235,9 @@ void WayFollower::aim_head(const ShortTermMemory& memory, const Pace& pace, Wish
     look_down_until_ = memory.now() + from_seconds(kLookDownFor_s);
   }
   const bool starts = headway_m_ < kStart_m;  // the floor before the wheels was never in view
-  wish.tilt_rad = memory.now() >= look_down_until_ ? kRestingTilt_rad
-                  : starts                         ? kLookDown_rad
-                                                   : kGlanceDown_rad;
+  wish.tilt_rad = memory.now() >= look_down_until_ ? robot_.resting_tilt_rad
+                  : starts                         ? look_down_rad_
+                                                   : glance_down_rad_;
 }
 
 Wish WayFollower::wait(const ShortTermMemory& memory, const Course& course) {
@@ -259,8 +253,8 @@ Wish WayFollower::wait(const ShortTermMemory& memory, const Course& course) {
   if (since_s > (something_moves ? settings_.patience_s : kStillPatience_s)) {
     enter(State::looking, memory);
   }
-  Wish wish = standing_wish(memory, text("waits: the way is blocked, {:.0f} s", since_s));
-  wish.tilt_rad = kGlanceDown_rad;
+  Wish wish = standing_wish(memory, short_format("waits: the way is blocked, {:.0f} s", since_s));
+  wish.tilt_rad = glance_down_rad_;
   return wish;
 }
 
@@ -269,7 +263,8 @@ Wish WayFollower::look(const ShortTermMemory& memory) {
   Wish wish = standing_wish(memory, "looks round for a gap");
   const double phase = since_s / kLookSweep_s;
   wish.pan_rad = phase < 0.4 ? kSweep_rad : (phase < 0.8 ? -kSweep_rad : 0.0);
-  wish.tilt_rad = phase < 0.2 || (phase > 0.4 && phase < 0.6) ? kRestingTilt_rad : kLookDown_rad;
+  const bool far = phase < 0.2 || (phase > 0.4 && phase < 0.6);
+  wish.tilt_rad = far ? robot_.resting_tilt_rad : look_down_rad_;
   if (phase < 1.0) return wish;
   note_trouble(memory);
   enter(troubles_ % 2 == 0 || !way_is_open() ? State::backing : State::driving, memory);

@@ -82,6 +82,9 @@ class WayFollower {
 
   DrivingSettings settings_;
   RobotDescription robot_;
+  double look_down_rad_;    ///< tilt that shows the floor before the wheels
+  double glance_down_rad_;  ///< tilt half as far down
+  double pan_driving_rad_;  ///< the head's farthest turn while driving
   FloorField field_;
   PathPlanner planner_;
   Steering steering_;

@@ -106,6 +106,14 @@ bool MapReader::numbers(const std::string& key, const std::vector<double*>& targ
   return good;
 }
 
+void MapReader::retired(const std::string& key, const std::string& note) {
+  (void)raw(key);
+  for (const Node::Entry& entry : node_.entries) {
+    if (entry.key != key) continue;
+    mistakes_.warn(entry.key_place, fmt::format("'{}' has no effect any more", key), note);
+  }
+}
+
 bool MapReader::require(const std::string& key) {
   if (raw(key) != nullptr) return true;
   if (node_.kind == Node::Kind::map || node_.kind == Node::Kind::nothing) {

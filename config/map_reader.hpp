@@ -27,6 +27,8 @@ class MapReader {
   bool numbers(const std::string& key, const std::vector<double*>& targets, Unit unit, Range range);
   /// The raw value of a key, or nullptr; counts as asked for.
   const Node* raw(const std::string& key);
+  /// A key without effect any more: a warning where it is given.
+  void retired(const std::string& key, const std::string& note);
   /// Says that a missing key is a mistake; returns whether it is there.
   bool require(const std::string& key);
 

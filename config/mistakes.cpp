@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <sstream>
 
-#include "config/user_error.hpp"
+#include "base/user_error.hpp"
 
 namespace striate::config {
 namespace {
@@ -54,20 +54,26 @@ std::vector<Mistake> Mistakes::take_at(Place place) {
   return taken;
 }
 
-std::string Mistakes::text_of(const Mistake& mistake) const {
+/// Place, kind and message; the line itself with a caret; the hint.
+std::string Mistakes::told(const Mistake& mistake, const std::string& kind) const {
   const Place& place = mistake.place;
   std::string text = file_;
   if (place.line > 0) text += fmt::format(":{}:{}", place.line, place.column);
-  text +=
-      letter_ == 0 ? ": error: " : fmt::format(": error[{}{:03}]: ", letter_, mistake.fault.number);
-  text += mistake.message + "\n";
+  text += fmt::format(": {}: {}\n", kind, mistake.message);
   const std::string line = place.line > 0 ? line_of(source_, place.line) : std::string();
   if (!line.empty() && line.size() < 200) {
     text += fmt::format("    {}\n    {}^\n", line, blanks_before(line, place.column));
   }
   if (!mistake.hint.empty()) text += fmt::format("    {}\n", mistake.hint);
+  return text;
+}
+
+std::string Mistakes::text_of(const Mistake& mistake) const {
+  std::string text =
+      told(mistake,
+           letter_ == 0 ? "error" : fmt::format("error[{}{:03}]", letter_, mistake.fault.number));
   for (const Note& note : notes_) {
-    if (note.place == place) text += fmt::format("    {}\n", note.text);
+    if (note.place == mistake.place) text += fmt::format("    {}\n", note.text);
   }
   return text;
 }
@@ -81,6 +87,12 @@ std::string Mistakes::text() const {
   std::string text;
   for (const Mistake& mistake : sorted) text += text_of(mistake);
   for (const std::string& of_used_file : included_) text += of_used_file;
+  return text;
+}
+
+std::string Mistakes::warnings() const {
+  std::string text;
+  for (const Mistake& warning : warnings_) text += told(warning, "warning");
   return text;
 }
 

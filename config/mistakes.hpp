@@ -37,6 +37,12 @@ class Mistakes {
   [[nodiscard]] std::vector<Mistake> take_at(Place place);
   /// Says under every mistake at that place where its value comes from.
   void note(Place place, std::string text) { notes_.push_back({place, std::move(text)}); }
+  /// Something that is no mistake but should be changed; for the caller to print.
+  void warn(Place place, std::string message, std::string hint = {}) {
+    warnings_.push_back({place, std::move(message), std::move(hint), fault::other});
+  }
+  /// All warnings as in text(): `file:line:column: warning: message`; "" where there are none.
+  [[nodiscard]] std::string warnings() const;
   /// All of this file and of those that it uses.
   [[nodiscard]] std::size_t count() const { return list_.size() + included_count_; }
   [[nodiscard]] bool none() const { return count() == 0; }
@@ -58,11 +64,13 @@ class Mistakes {
     std::string text;
   };
   [[nodiscard]] std::string text_of(const Mistake& mistake) const;
+  [[nodiscard]] std::string told(const Mistake& mistake, const std::string& kind) const;
 
   std::string file_;
   char letter_ = 0;
   std::string source_;
   std::vector<Mistake> list_;
+  std::vector<Mistake> warnings_;
   std::vector<Note> notes_;
   std::vector<std::string> included_;
   std::size_t included_count_ = 0;

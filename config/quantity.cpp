@@ -4,7 +4,8 @@
 
 #include <charconv>
 #include <cmath>
-#include <numbers>
+
+#include "base/geometry.hpp"
 
 namespace striate::config {
 namespace {
@@ -15,7 +16,7 @@ struct UnitName {
   double to_si;
 };
 
-constexpr double kDegree = std::numbers::pi / 180.0;  // a degree in radians
+constexpr double kDegree = radians(1.0);  // a degree in radians
 
 /// The first name of each unit is the one that is printed.
 constexpr UnitName kUnitNames[] = {

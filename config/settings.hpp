@@ -30,6 +30,8 @@ class SettingsReader {
   }
   void flag(const char* key, bool& field, const char* /*help*/) { map_.flag(key, field); }
   void text(const char* key, std::string& field, const char* /*help*/) { map_.text(key, field); }
+  /// A key that had a meaning once: still accepted, with a warning. @param note what to do instead
+  void retired(const char* key, const char* note) { map_.retired(key, note); }
   template <class Enum>
   void choice(const char* key, Enum& field, const std::vector<std::string>& names,
               const char* /*help*/) {
@@ -68,6 +70,7 @@ class SettingsPrinter {
   void integer(const char* key, int& field, Range range, const char* help);
   void flag(const char* key, bool& field, const char* help);
   void text(const char* key, std::string& field, const char* help);
+  void retired(const char* /*key*/, const char* /*note*/) {}
   template <class Enum>
   void choice(const char* key, Enum& field, const std::vector<std::string>& names,
               const char* help) {

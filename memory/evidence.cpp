@@ -60,6 +60,8 @@ bool beside_something_still(GridCell cell, const LocalGrid& grid) {
   return false;
 }
 
+constexpr double kDisparityMetre_px = 24.4;  // of the simulated camera, rounded
+
 }  // namespace
 
 EvidenceWriter::EvidenceWriter(const EvidenceSettings& settings, double camera_height_m)
@@ -71,13 +73,14 @@ EvidenceWriter::EvidenceWriter(const EvidenceSettings& settings, double camera_h
 }
 
 double EvidenceWriter::range_error_m(double distance_m) const {
-  return std::max(kLeastRangeError_m, settings_.disparity_error_px * distance_m * distance_m /
-                                          settings_.disparity_metre_px);
+  return std::max(kLeastRangeError_m,
+                  settings_.disparity_error_px * distance_m * distance_m / disparity_metre_px_);
 }
 
 void EvidenceWriter::write(const Percept& percept, const Pose2& pose, LocalGrid& grid) {
   const std::vector<Column>& columns = percept.columns;
   if (columns.size() < 2) return;
+  disparity_metre_px_ = kDisparityMetre_px;
   measure_heights(percept);
   const double span = std::abs(wrap_angle(columns.back().bearing_rad - columns[0].bearing_rad));
   const Look look{pose, percept.stamp, span / static_cast<double>(columns.size() - 1)};

@@ -14,8 +14,7 @@ namespace striate {
 /// LocalGrid.
 struct EvidenceSettings {
   double disparity_error_px = 0.35;  ///< of a trusted match, one sigma
-  double disparity_metre_px = 24.4;  ///< focal length x baseline: Z = 24.4 m / d (203 px, 0.12 m)
-  double far_m = 5.5;                ///< beyond this a look says nothing: a range errs by 0.43 m
+  double far_m = 5.5;  ///< beyond this a look says nothing: a range errs by 0.43 m
   double near_m = 1.0;               ///< within this one look is enough
   double occupied_gain = 0.9;        ///< log-odds of a full look at something: two make it stand
   double free_gain = 0.55;           ///< log-odds of a full look at bare floor: one makes it free
@@ -28,8 +27,8 @@ void visit(V& v, EvidenceSettings& s) {
   using config::Unit;
   v.number("disparity_error", s.disparity_error_px, Unit::pixels, {0.05, 4},
            "error of a trusted match, one sigma");
-  v.number("disparity_metre", s.disparity_metre_px, Unit::none, {1, 1000},
-           "focal length in px times baseline in m: range = this / disparity");
+  v.retired("disparity_metre",
+            "the camera says it: focal length times baseline comes with each picture");
   v.number("far", s.far_m, Unit::length, {1, 6}, "beyond this a look says nothing");
   v.number("near", s.near_m, Unit::length, {0, 3}, "within this one look is enough to block");
   v.number("occupied_gain", s.occupied_gain, Unit::none, {0.05, 3},
@@ -78,7 +77,8 @@ class EvidenceWriter {
 
   EvidenceSettings settings_;
   double camera_height_m_;
-  std::vector<float> heights_m_;  // of what each column met
+  double disparity_metre_px_ = 0.0;  // focal length x baseline: Z = this / disparity
+  std::vector<float> heights_m_;     // of what each column met
   std::vector<Mass> masses_;
   std::vector<GridCell> touched_;
 };

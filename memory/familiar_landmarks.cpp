@@ -98,9 +98,9 @@ const Recognised& FamiliarLandmarks::recognised(const Percept& percept, const Se
   for (const Recognition& found : percept.recognitions) {
     Known& known = known_.at(static_cast<std::size_t>(found.landmark));
     if (std::isfinite(found.distance_m)) known.height_m = found.height_m;
-    const LandmarkSighting& sighting = recognised_.sightings.emplace_back(
-        LandmarkSighting{known.record.id, known.record.name, percept.stamp, found.score,
-                         found.bearing_rad, found.distance_m});
+    const LandmarkSighting& sighting = recognised_.sightings.emplace_back(LandmarkSighting{
+        known.record.id, known.record.name, percept.stamp, found.score, found.bearing_rad,
+        found.distance_m, percept.disparity.focal_px * percept.disparity.baseline_m});
     learning_->found(known.record.id);
     if (memory.confirms(sighting)) strengthen(known, found, senses);
   }

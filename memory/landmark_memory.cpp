@@ -55,10 +55,9 @@ void LandmarkMemory::move(const Pose2& before, const Pose2& after) {
 }
 
 const LandmarkInMind* LandmarkMemory::find(std::string_view name) const {
+  const LandmarkName wanted(name);
   for (const LandmarkInMind& entry : landmarks_) {
-    if (entry.landmark != 0 && name.substr(0, LandmarkInMind::kName) == entry.name.data()) {
-      return &entry;
-    }
+    if (entry.landmark != 0 && entry.name == wanted) return &entry;
   }
   return nullptr;
 }
@@ -93,7 +92,7 @@ LandmarkInMind& LandmarkMemory::entry_for(std::int64_t landmark, std::string_vie
   }
   *place = LandmarkInMind{};
   place->landmark = landmark;
-  name.copy(place->name.data(), LandmarkInMind::kName);
+  place->name = name;
   return *place;
 }
 

@@ -5,27 +5,31 @@
 #include <cstdint>
 #include <string_view>
 
+#include "base/fixed_text.hpp"
+#include "base/geometry.hpp"
+#include "base/time.hpp"
 #include "config/settings.hpp"
-#include "platform/interface/geometry.hpp"
-#include "platform/interface/time.hpp"
 
 namespace striate {
+
+/// A landmark's name in fixed memory.
+using LandmarkName = FixedText<47>;
 
 /// One look in which a landmark was recognised. Robot frame at the moment of the picture.
 struct LandmarkSighting {
   std::int64_t landmark = 0;  ///< its number in long-term memory, above 0
-  std::string_view name;      ///< cut to LandmarkInMind::kName characters
+  std::string_view name;      ///< cut to a LandmarkName
   TimePoint stamp;            ///< of the picture
   double score = 0.0;         ///< 0..1, of the recognition
   double bearing_rad = 0.0;
-  double distance_m = 0.0;  ///< not above 0, or not finite: unknown
+  double distance_m = 0.0;          ///< not above 0, or not finite: unknown
+  double disparity_metre_px = 0.0;  ///< of the picture: focal length x baseline; Z = this / d
 };
 
 /// A landmark that the robot has in mind: recognised in this run, recalled, or both.
 struct LandmarkInMind {
-  static constexpr std::size_t kName = 47;  ///< letters: 48 bytes with the end, as names are short
-  std::int64_t landmark = 0;                ///< 0: this entry is not in use
-  std::array<char, kName + 1> name{};
+  std::int64_t landmark = 0;  ///< 0: this entry is not in use
+  LandmarkName name;
   int sightings = 0;       ///< looks of this run in which it was recognised; 0: only recalled
   int in_a_row = 0;        ///< of them, those that followed each other closely, up to the newest
   bool confirmed = false;  ///< recognised in enough looks in a row, once

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "platform/interface/geometry.hpp"
-#include "platform/interface/time.hpp"
+#include "base/geometry.hpp"
+#include "base/time.hpp"
 
 namespace striate {
 

@@ -169,8 +169,7 @@ void ShortTermMemory::remember(const MotorCommand& sent, std::string_view doing)
   SentCommand& entry = sent_[next_sent_];
   entry.stamp = now_;
   entry.command = sent;
-  entry.doing.fill('\0');
-  doing.copy(entry.doing.data(), entry.doing.size() - 1);
+  entry.doing = doing;
   next_sent_ = (next_sent_ + 1) % kCommands;
 }
 

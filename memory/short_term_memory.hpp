@@ -5,6 +5,7 @@
 #include <span>
 #include <string_view>
 
+#include "base/fixed_text.hpp"
 #include "config/settings.hpp"
 #include "memory/blank_view.hpp"
 #include "memory/corridor_memory.hpp"
@@ -64,7 +65,7 @@ class ShortTermMemory {
   struct SentCommand {
     TimePoint stamp;
     MotorCommand command;
-    std::array<char, 32> doing{};  ///< zero-terminated
+    FixedText<31> doing;
   };
 
   ShortTermMemory(const ShortTermMemorySettings& settings, const RobotDescription& robot);
@@ -94,6 +95,7 @@ class ShortTermMemory {
   }
 
   // The body.
+  [[nodiscard]] const RobotDescription& robot() const { return robot_; }
   [[nodiscard]] TimePoint now() const { return now_; }
   [[nodiscard]] const Pose2& pose() const { return pose_; }  ///< odometry frame
   [[nodiscard]] Pose2 pose_at(TimePoint stamp) const { return history_.at(stamp); }
@@ -132,7 +134,7 @@ class ShortTermMemory {
 
   // What was done. `steps_back` 0 is the newest; default command before the first.
   [[nodiscard]] const SentCommand& sent(std::size_t steps_back = 0) const;
-  [[nodiscard]] std::string_view doing() const { return sent().doing.data(); }
+  [[nodiscard]] std::string_view doing() const { return sent().doing.view(); }
 
  private:
   void feel(const Senses& senses);

@@ -3,7 +3,7 @@
 #include <array>
 #include <cstddef>
 
-#include "platform/interface/geometry.hpp"
+#include "base/geometry.hpp"
 
 namespace striate {
 

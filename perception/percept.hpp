@@ -6,8 +6,8 @@
 #include <opencv2/core/mat.hpp>
 #include <vector>
 
-#include "platform/interface/geometry.hpp"
-#include "platform/interface/time.hpp"
+#include "base/geometry.hpp"
+#include "base/time.hpp"
 
 /// What perception hands on. Robot frame (x forward, y left, from the wheel axle) at the moment of
 /// the picture; image: u right, v down, pixel centres at integers.

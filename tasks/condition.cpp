@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/limits.hpp"
 #include "tasks/fault.hpp"
 #include "tasks/landmark_conditions.hpp"
 
@@ -77,11 +78,9 @@ struct Width {
 /// along a straight line. Full where the body does not tell.
 struct Charge {
   static double of(const ShortTermMemory& memory) {
-    constexpr double kEmpty_v = 10.8;  // SafetyLimiterSettings::battery_stop_v
-
-    constexpr double kFull_v = 12.7;  // six lead-acid cells of 2.12 V at rest
     if (memory.battery_v() <= 0.0) return 1.0;
-    return std::clamp((memory.battery_v() - kEmpty_v) / (kFull_v - kEmpty_v), 0.0, 1.0);
+    return std::clamp((memory.battery_v() - kEmptyBattery_v) / (kFullBattery_v - kEmptyBattery_v),
+                      0.0, 1.0);
   }
 };
 

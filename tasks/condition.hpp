@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "base/time.hpp"
 #include "config/quantity.hpp"
 #include "memory/short_term_memory.hpp"
-#include "platform/interface/time.hpp"
 
 namespace striate {
 

@@ -4,7 +4,7 @@
 
 #include "app/baselines/sgbm_disparity.hpp"
 #include "app/baselines/true_depth_pictures.hpp"
-#include "config/user_error.hpp"
+#include "base/user_error.hpp"
 
 namespace striate {
 

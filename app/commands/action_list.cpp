@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "app/command_line/mistakes.hpp"
-#include "config/user_error.hpp"
+#include "base/user_error.hpp"
 #include "tasks/condition.hpp"
 
 namespace striate {

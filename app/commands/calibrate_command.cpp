@@ -7,8 +7,8 @@
 
 #include "app/calibration/calibrate_stereo.hpp"
 #include "app/commands/commands.hpp"
-#include "app/files.hpp"
-#include "config/user_error.hpp"
+#include "base/files.hpp"
+#include "base/user_error.hpp"
 
 namespace striate {
 namespace {

@@ -11,7 +11,7 @@
 #include "app/commands/commands.hpp"
 #include "app/memory/landmark_names.hpp"
 #include "app/robot_settings.hpp"
-#include "config/user_error.hpp"
+#include "base/user_error.hpp"
 #include "platform/simulator/world_reader.hpp"
 #include "tasks/task_reader.hpp"
 
@@ -45,9 +45,12 @@ void check_file(const std::string& file, const Known& known) {
       fmt::print(stderr, "{}",
                  check_task(file, RobotDescription{}, known ? &*known : nullptr).notices);
       break;
-    case Kind::settings:
-      (void)load_robot_settings(file);
+    case Kind::settings: {
+      std::string warnings;
+      (void)load_robot_settings(file, &warnings);
+      fmt::print(stderr, "{}", warnings);
       break;
+    }
   }
 }
 

@@ -7,7 +7,7 @@
 #include "app/doctor/devices.hpp"
 #include "app/doctor/machine.hpp"
 #include "app/robot_settings.hpp"
-#include "config/user_error.hpp"
+#include "base/user_error.hpp"
 
 namespace striate {
 namespace {

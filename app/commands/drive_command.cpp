@@ -7,7 +7,7 @@
 #include "app/commands/commands.hpp"
 #include "app/interrupt.hpp"
 #include "app/robot_settings.hpp"
-#include "config/user_error.hpp"
+#include "base/user_error.hpp"
 #include "platform/pioneer/pioneer_robot.hpp"
 
 namespace striate {

@@ -2,7 +2,7 @@
 
 #include "app/commands/commands.hpp"
 #include "app/evaluation/evaluation.hpp"
-#include "app/files.hpp"
+#include "base/files.hpp"
 
 namespace striate {
 namespace {

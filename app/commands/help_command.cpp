@@ -10,7 +10,7 @@
 #include "app/command_line/mistakes.hpp"
 #include "app/commands/commands.hpp"
 #include "app/memory/open_memory.hpp"
-#include "config/user_error.hpp"
+#include "base/user_error.hpp"
 
 namespace striate {
 namespace {

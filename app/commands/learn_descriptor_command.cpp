@@ -4,8 +4,8 @@
 
 #include "app/command_line/whole_number.hpp"
 #include "app/commands/commands.hpp"
-#include "app/files.hpp"
 #include "app/learning/learn_descriptor.hpp"
+#include "base/files.hpp"
 
 namespace striate {
 

@@ -5,12 +5,12 @@
 #include <string_view>
 
 #include "app/commands/memory_command.hpp"
-#include "app/files.hpp"
 #include "app/memory/memory_diff.hpp"
 #include "app/memory/memory_json.hpp"
 #include "app/memory/open_memory.hpp"
 #include "app/memory/text_table.hpp"
-#include "config/user_error.hpp"
+#include "base/files.hpp"
+#include "base/user_error.hpp"
 #include "memory/long_term/damage.hpp"
 #include "memory/long_term/memory_writer.hpp"
 #include "memory/long_term/merging.hpp"

@@ -9,6 +9,7 @@
 #include "app/memory/text_table.hpp"
 #include "app/perceive_files.hpp"
 #include "app/run_result.hpp"
+#include "base/files.hpp"
 #include "memory/long_term/forgetting.hpp"
 
 namespace striate {

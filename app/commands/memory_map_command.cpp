@@ -6,7 +6,6 @@
 #include <unordered_map>
 
 #include "app/commands/memory_command.hpp"
-#include "app/files.hpp"
 #include "app/memory/memory_json.hpp"
 #include "app/memory/memory_map_svg.hpp"
 #include "app/memory/memory_pictures.hpp"
@@ -14,6 +13,7 @@
 #include "app/memory/text_table.hpp"
 #include "app/perceive_files.hpp"
 #include "app/run_result.hpp"
+#include "base/files.hpp"
 
 namespace striate {
 namespace {

@@ -5,7 +5,6 @@
 
 #include "app/command_line/whole_number.hpp"
 #include "app/commands/commands.hpp"
-#include "app/files.hpp"
 #include "app/memory/memory_json.hpp"
 #include "app/memory/text_table.hpp"
 #include "app/perceive_files.hpp"
@@ -13,7 +12,8 @@
 #include "app/place_text.hpp"
 #include "app/recall/memory_state.hpp"
 #include "app/replay/replay_mission.hpp"
-#include "config/user_error.hpp"
+#include "base/files.hpp"
+#include "base/user_error.hpp"
 
 namespace striate {
 namespace {

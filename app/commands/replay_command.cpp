@@ -5,13 +5,13 @@
 #include <memory>
 
 #include "app/commands/commands.hpp"
-#include "app/files.hpp"
 #include "app/interrupt.hpp"
 #include "app/memory/memory_json.hpp"
 #include "app/perceive_files.hpp"
 #include "app/pictures/cycle_sheet.hpp"
 #include "app/replay/replay_mission.hpp"
-#include "config/user_error.hpp"
+#include "base/files.hpp"
+#include "base/user_error.hpp"
 
 namespace striate {
 namespace {

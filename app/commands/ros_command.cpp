@@ -7,9 +7,9 @@
 #include "app/command_line/whole_number.hpp"
 #include "app/commands/commands.hpp"
 #include "app/commands/run_mission.hpp"
-#include "app/files.hpp"
+#include "base/files.hpp"
 #include "app/simulated_body.hpp"
-#include "config/user_error.hpp"
+#include "base/user_error.hpp"
 #ifdef STRIATE_HAS_ROS
 #include "app/ros/replay_bag.hpp"
 #include "app/ros/ros_bodies.hpp"
@@ -38,7 +38,10 @@ int run_and_tell(RosOptions& options, const BodySource& body, ros1::Tells tells,
   std::unique_ptr<TellRos> ros;
   options.run.at_begin = [&](Mission& mission) {
     ros = std::make_unique<TellRos>(mission, tells);
-    if (cmd_vel_drives) mission.set_pilot(cmd_vel_pilot(mission.settings().ros));
+    if (cmd_vel_drives) {
+      const double tilt_rad = mission.body().description().resting_tilt_rad;
+      mission.set_pilot(cmd_vel_pilot(mission.settings().ros, tilt_rad));
+    }
     if (options.run.quiet || options.run.json) return;
     fmt::print("on ROS; Ctrl-C ends it\n");
     std::fflush(stdout);

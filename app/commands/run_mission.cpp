@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "app/commands/run_report.hpp"
-#include "app/files.hpp"
+#include "base/files.hpp"
 #include "app/given_variables.hpp"
 #include "app/interrupt.hpp"
 #include "app/memory/landmark_knowledge.hpp"
@@ -97,7 +97,7 @@ int run_mission(const RunOptions& options, const BodySource& body) {
   const Interrupt interrupt;
   MissionRecorder recorder(options.record, options.memory);  // copies the memory as it is now
   Mission mission(asked, body);
-  if (!options.quiet) fmt::print(stderr, "{}", mission.executive().task().notices);
+  if (!options.quiet) fmt::print(stderr, "{}", mission.notices());
   Watchers watchers(options, mission, recorder);
   if (options.at_begin) options.at_begin(mission);
   const RunResult result = mission.run([&](const Mission&) {

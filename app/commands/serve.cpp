@@ -8,7 +8,7 @@
 #include "app/renderer_pictures.hpp"
 #include "app/robot_settings.hpp"
 #include "app/serving/robot_server.hpp"
-#include "config/user_error.hpp"
+#include "base/user_error.hpp"
 #include "platform/simulator/world_reader.hpp"
 
 namespace striate {
@@ -91,7 +91,7 @@ int serve(const ServeOptions& options) {
   const RobotSettings settings = load_robot_settings(options.robot);
   pioneer::FirmwareSettings firmware;
   firmware.subclass = options.kind;
-  ServedPioneer robot(world, options.seed, settings.simulator, firmware);
+  ServedPioneer robot(world, options.seed, settings.simulator, firmware, simulated_robot(settings));
   ServeSettings serving;
   serving.address = options.address;
   serving.port = options.port;

@@ -9,7 +9,7 @@
 #include "app/perceive_files.hpp"
 #include "app/place_text.hpp"
 #include "app/robot_settings.hpp"
-#include "config/user_error.hpp"
+#include "base/user_error.hpp"
 #include "platform/simulator/render/renderer.hpp"
 #include "platform/simulator/world_reader.hpp"
 

@@ -5,7 +5,7 @@
 
 #include "app/commands/action_list.hpp"
 #include "app/commands/commands.hpp"
-#include "app/files.hpp"
+#include "base/files.hpp"
 #include "tasks/task_reader.hpp"
 
 namespace striate {

@@ -8,7 +8,7 @@
 
 #include "app/command_line/whole_number.hpp"
 #include "app/commands/commands.hpp"
-#include "app/files.hpp"
+#include "base/files.hpp"
 #include "app/interrupt.hpp"
 #include "app/memory/memory_json.hpp"
 #include "app/memory/open_memory.hpp"
@@ -20,7 +20,7 @@
 #include "app/teaching/keep_taught.hpp"
 #include "app/teaching/live_teaching.hpp"
 #include "app/teaching/recorded_teaching.hpp"
-#include "config/user_error.hpp"
+#include "base/user_error.hpp"
 #include "memory/long_term/memory_writer.hpp"
 #include "memory/long_term/teaching.hpp"
 

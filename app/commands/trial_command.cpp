@@ -5,11 +5,11 @@
 
 #include "app/command_line/whole_number.hpp"
 #include "app/commands/commands.hpp"
-#include "app/files.hpp"
+#include "base/files.hpp"
 #include "app/objects/object_trial.hpp"
 #include "app/trial/trial.hpp"
 #include "app/trial/trial_merge.hpp"
-#include "config/user_error.hpp"
+#include "base/user_error.hpp"
 
 namespace striate {
 namespace {

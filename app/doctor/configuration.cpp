@@ -7,7 +7,7 @@
 
 #include "app/memory/open_memory.hpp"
 #include "app/robot_settings.hpp"
-#include "config/user_error.hpp"
+#include "base/user_error.hpp"
 #include "memory/long_term/damage.hpp"
 #include "platform/simulator/world_reader.hpp"
 #include "tasks/task_reader.hpp"

@@ -7,7 +7,7 @@
 #include <fstream>
 #include <thread>
 
-#include "config/user_error.hpp"
+#include "base/user_error.hpp"
 #include "platform/pioneer/camera/frame_source.hpp"
 #include "platform/pioneer/camera/rectifier.hpp"
 #include "platform/pioneer/steady_clock.hpp"

@@ -8,7 +8,7 @@
 #include "app/evaluation/plot.hpp"
 #include "app/evaluation/repeatability.hpp"
 #include "app/evaluation/report.hpp"
-#include "app/files.hpp"
+#include "base/files.hpp"
 
 namespace striate {
 namespace {

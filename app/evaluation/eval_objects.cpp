@@ -7,7 +7,7 @@
 #include "app/evaluation/object_methods.hpp"
 #include "app/evaluation/plot.hpp"
 #include "app/evaluation/report.hpp"
-#include "app/files.hpp"
+#include "base/files.hpp"
 
 namespace striate {
 namespace {

@@ -11,8 +11,8 @@
 #include "app/evaluation/plot.hpp"
 #include "app/evaluation/report.hpp"
 #include "app/evaluation/saliency_scores.hpp"
-#include "app/files.hpp"
 #include "app/read_picture.hpp"
+#include "base/files.hpp"
 #include "perception/saliency/saliency.hpp"
 
 namespace striate {

@@ -7,8 +7,8 @@
 #include "app/evaluation/plot.hpp"
 #include "app/evaluation/report.hpp"
 #include "app/evaluation/stereo_methods.hpp"
-#include "app/files.hpp"
-#include "config/user_error.hpp"
+#include "base/files.hpp"
+#include "base/user_error.hpp"
 
 /// `striate eval stereo`: disparities against ground truth, ours and OpenCV's in one run.
 namespace striate {

@@ -8,7 +8,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "config/user_error.hpp"
+#include "base/user_error.hpp"
 
 namespace striate {
 

@@ -6,10 +6,12 @@
 #include <opencv2/features2d.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "base/geometry.hpp"
+
 namespace striate {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;  // a degree in radians
+constexpr double kDegree = radians(1.0);  // a degree in radians
 
 bool patch_fits(const cv::KeyPoint& frame, cv::Size size) {
   const double reach = 0.5 * kPatchSizes * frame.size * std::numbers::sqrt2;

@@ -8,7 +8,7 @@
 #include <opencv2/imgcodecs.hpp>
 #include <sstream>
 
-#include "config/user_error.hpp"
+#include "base/user_error.hpp"
 
 namespace striate {
 namespace {

@@ -8,7 +8,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "app/pfm.hpp"
-#include "config/user_error.hpp"
+#include "base/user_error.hpp"
 
 namespace striate {
 namespace {

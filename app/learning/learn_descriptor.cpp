@@ -5,7 +5,7 @@
 #include "app/evaluation/frame_pairs.hpp"
 #include "app/learning/bit_learner.hpp"
 #include "app/learning/synthetic_pictures.hpp"
-#include "config/user_error.hpp"
+#include "base/user_error.hpp"
 
 namespace striate {
 namespace {

@@ -19,7 +19,7 @@ LandmarkView view_to_look_for(const StoredView& stored) {
   for (const StoredDescriptor& descriptor : stored.descriptors) {
     view.descriptors.push_back(descriptor_of(descriptor));
   }
-  for (const StoredKeypoint& point : stored.keypoints) {
+  for (const ViewKeypoint& point : stored.keypoints) {
     view.keypoints.push_back({point.x_px, point.y_px, point.size_px, point.angle_rad});
   }
   return view;
@@ -29,7 +29,7 @@ LandmarkView view_to_look_for(const StoredView& stored) {
 bool is_sound(const StoredView& view) {
   if (view.damaged || view.descriptors.size() != view.keypoints.size()) return false;
   return std::ranges::all_of(view.keypoints,
-                             [](const StoredKeypoint& point) { return point.size_px > 0.0F; });
+                             [](const ViewKeypoint& point) { return point.size_px > 0.0F; });
 }
 
 void read(MemoryTables& tables, LandmarkKnowledge& knowledge) {

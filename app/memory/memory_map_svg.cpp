@@ -7,8 +7,8 @@
 #include <limits>
 #include <unordered_map>
 
-#include "config/user_error.hpp"
-#include "platform/interface/geometry.hpp"
+#include "base/geometry.hpp"
+#include "base/user_error.hpp"
 
 namespace striate::pictures {
 namespace {

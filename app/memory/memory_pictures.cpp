@@ -10,7 +10,7 @@
 #include <unordered_map>
 
 #include "app/pictures/canvas.hpp"
-#include "config/user_error.hpp"
+#include "base/user_error.hpp"
 
 namespace striate::pictures {
 namespace {
@@ -34,7 +34,7 @@ cv::Mat3b draw_view(const StoredView& view) {
   cv::Mat3b inner =
       tile(cv::Rect({(kTile_px - drawn.width) / 2, (kTile_px - drawn.height) / 2}, drawn));
   fit(picture, drawn).copyTo(inner);
-  for (const StoredKeypoint& point : view.keypoints) {
+  for (const ViewKeypoint& point : view.keypoints) {
     const cv::Point at(static_cast<int>((point.x_px + 0.5) * scale),
                        static_cast<int>((point.y_px + 0.5) * scale));
     const int radius_px = std::clamp(static_cast<int>(point.size_px * scale / 2.0), 2, 60);

@@ -5,7 +5,7 @@
 
 #include "app/memory/base64.hpp"
 #include "app/memory/memory_json.hpp"
-#include "config/user_error.hpp"
+#include "base/user_error.hpp"
 #include "memory/long_term/teaching.hpp"
 #include "memory/long_term/view_codec.hpp"
 

@@ -27,7 +27,7 @@ cv::Mat3b shrunk(const cv::Mat3b& picture) {
   return small;
 }
 
-StoredKeypoint stored(const Keypoint& point) {
+ViewKeypoint stored(const Keypoint& point) {
   return {static_cast<float>(point.u_px), static_cast<float>(point.v_px),
           static_cast<float>(point.wavelength_px), static_cast<float>(point.angle_rad)};
 }

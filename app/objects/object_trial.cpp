@@ -7,7 +7,6 @@
 #include <map>
 
 #include "app/evaluation/report.hpp"
-#include "app/files.hpp"
 #include "app/interrupt.hpp"
 #include "app/memory/landmark_knowledge.hpp"
 #include "app/objects/object_places.hpp"
@@ -15,7 +14,8 @@
 #include "app/simulated_body.hpp"
 #include "app/teaching/keep_taught.hpp"
 #include "app/teaching/live_teaching.hpp"
-#include "config/user_error.hpp"
+#include "base/files.hpp"
+#include "base/user_error.hpp"
 #include "platform/simulator/world_reader.hpp"
 #include "tasks/task_reader.hpp"
 

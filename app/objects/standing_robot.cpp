@@ -1,13 +1,11 @@
 #include "app/objects/standing_robot.hpp"
 
-#include "behaviours/wish.hpp"
-
 namespace striate {
 
 StandingRobot::StandingRobot(const simulator::World& world, const simulator::FloorPlan& plan,
                              const RobotSettings& settings, std::uint64_t seed)
-    : renderer_(world, plan, settings.camera, seed) {
-  scene_.head.tilt_rad = kRestingTilt_rad;
+    : description_(simulated_robot(settings)), renderer_(world, plan, settings.camera, seed) {
+  scene_.head.tilt_rad = description_.resting_tilt_rad;
 }
 
 bool StandingRobot::sense(Senses& senses) {

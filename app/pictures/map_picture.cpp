@@ -8,7 +8,6 @@ namespace striate::pictures {
 namespace {
 
 constexpr double kReach_m = 5.0;  // m to each side: where the next seconds of driving are (ours)
-constexpr double kHalfView_rad = 0.375;  // 43 degrees in all
 const cv::Vec3b kUnknown(78, 74, 70);
 const cv::Vec3b kFree(176, 214, 178);
 const cv::Vec3b kOccupied(40, 36, 160);
@@ -49,10 +48,10 @@ class MapPicture {
     }
   }
 
-  void draw_view() {
+  void draw_view(const RobotDescription& robot) {
     const double pan_rad = memory_.head().pan_rad;
     for (const double side : {-1.0, 1.0}) {
-      const double bearing_rad = pan_rad + side * kHalfView_rad;
+      const double bearing_rad = pan_rad + side * 0.5 * robot.view_rad;
       line({0, 0}, {6 * std::cos(bearing_rad), 6 * std::sin(bearing_rad)},
            cv::Scalar(240, 240, 240), 1);
     }
@@ -100,7 +99,7 @@ cv::Mat3b draw_map(const ShortTermMemory& memory, const RobotDescription& robot,
   picture.draw_cells();
   picture.draw_rings();
   picture.draw_corridor();
-  picture.draw_view();
+  picture.draw_view(robot);
   picture.draw_trail(trail);
   picture.draw_robot(robot);
   return picture.take();

@@ -7,7 +7,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "app/pictures/canvas.hpp"
-#include "platform/interface/geometry.hpp"
+#include "base/geometry.hpp"
 
 namespace striate::pictures {
 namespace {
@@ -111,7 +111,7 @@ cv::Mat3b draw_plan_of_columns(const Percept& percept, cv::Size size, const Plan
   draw_rings(plan, scale);
   draw_corridor(plan, percept.corridor, scale.reach);
   for (const Column& column : percept.columns) draw_obstacle(plan, column);
-  const int half = std::clamp(plan.pixels(0.21), 4, 14);
+  const int half = std::clamp(plan.pixels(scale.robot), 4, 14);
   const cv::Point foot = plan.pixel(0, 0);
   cv::circle(plan.picture, foot, half, kInk, cv::FILLED, cv::LINE_AA);
   cv::line(plan.picture, foot, {foot.x, foot.y - half - 6}, kInk, 2, cv::LINE_AA);

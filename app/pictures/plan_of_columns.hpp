@@ -3,6 +3,7 @@
 #include <opencv2/core/mat.hpp>
 
 #include "perception/percept.hpp"
+#include "platform/interface/robot.hpp"
 
 namespace striate::pictures {
 
@@ -12,6 +13,7 @@ struct PlanScale {
   double reach = 6.0;  ///< from the robot to the top, in the percept's unit of length
   double ring = 2.0;
   const char* unit = "m";
+  double robot = RobotDescription{}.front_m;  ///< radius of the disc that stands for it
 };
 
 [[nodiscard]] cv::Mat3b draw_plan_of_columns(const Percept& percept, cv::Size size,

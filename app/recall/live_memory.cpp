@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
-#include "app/files.hpp"
 #include "app/memory/memory_json.hpp"
 #include "app/recall/memory_state.hpp"
+#include "base/files.hpp"
 
 namespace striate {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <fstream>
 
-#include "config/user_error.hpp"
+#include "base/user_error.hpp"
 
 namespace striate {
 namespace {
@@ -74,7 +74,7 @@ Json landmarks(const ShortTermMemory& memory) {
     if (one.landmark == 0) continue;
     const Point2 place = to_inner(memory.pose(), one.place);
     list.push_back(
-        {{"name", one.name.data()},
+        {{"name", one.name.view()},
          {"sightings", one.sightings},
          {"confirmed", one.confirmed},
          {"score", one.score},
@@ -96,7 +96,7 @@ Json commands(const ShortTermMemory& memory, std::uint64_t cycles) {
                     {"turn_rad_s", one.command.turn_rad_s},
                     {"pan_rad", one.command.pan_rad},
                     {"tilt_rad", one.command.tilt_rad},
-                    {"action", one.doing.data()}});
+                    {"action", one.doing.view()}});
   }
   return list;
 }

@@ -4,7 +4,7 @@
 
 #include "app/memory/text_table.hpp"
 #include "app/recall/memory_state.hpp"
-#include "platform/interface/geometry.hpp"
+#include "base/geometry.hpp"
 
 namespace striate {
 namespace {

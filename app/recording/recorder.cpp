@@ -9,9 +9,9 @@
 #include <csignal>
 #include <cstring>
 
-#include "app/files.hpp"
 #include "app/recording/decision.hpp"
-#include "config/user_error.hpp"
+#include "base/files.hpp"
+#include "base/user_error.hpp"
 #include "platform/replay/recording_codec.hpp"
 #include "platform/replay/recording_format.hpp"
 
@@ -139,7 +139,7 @@ bool Recorder::write(const std::vector<std::uint8_t>& bytes) {
 void Recorder::close_file() {
   if (!failed_) {
     payload_.clear();
-    replay::ByteWriter(payload_).put(report_.lost);
+    ByteWriter(payload_).put(report_.lost);
     chunk_.clear();
     replay::append_chunk(chunk_, replay::Chunk::end, payload_);
     (void)write(chunk_);

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "app/files.hpp"
 #include "app/robot_settings.hpp"
+#include "base/files.hpp"
 #include "platform/replay/recording.hpp"
 #include "tasks/task.hpp"
 #include "tasks/task_reader.hpp"

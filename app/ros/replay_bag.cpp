@@ -8,11 +8,11 @@
 #include <opencv2/core.hpp>
 #include <stdexcept>
 
-#include "app/files.hpp"
 #include "app/interrupt.hpp"
 #include "app/mission.hpp"
 #include "app/perceive_files.hpp"
 #include "app/pictures/overview.hpp"
+#include "base/files.hpp"
 #include "platform/ros/bag_robot.hpp"
 
 namespace striate {
@@ -89,7 +89,7 @@ int replay_bag(const ReplayBagOptions& options) {
   MissionOptions asked;
   asked.robot = options.robot;
   const BodySource bag{.wake = [&options](const RobotSettings& settings) -> Body {
-    return {.robot = std::make_unique<ros1::BagRobot>(options.bag, settings.ros),
+    return {.robot = std::make_unique<ros1::BagRobot>(options.bag, settings.ros, simulated_robot(settings)),
             .place = options.bag};
   }};
   const Interrupt interrupt;

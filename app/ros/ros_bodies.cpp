@@ -22,7 +22,7 @@ BodySource pioneer_in_real_time(const WorldOptions& options) {
 
 BodySource robot_behind_ros() {
   return {.wake = [](const RobotSettings& settings) -> Body {
-    auto robot = std::make_unique<ros1::RosRobot>(settings.ros);
+    auto robot = std::make_unique<ros1::RosRobot>(settings.ros, simulated_robot(settings));
     const auto hold = [&gate = *robot] { return gate.hold(); };
     return {.robot = std::move(robot), .place = "ROS", .hold = hold};
   }};

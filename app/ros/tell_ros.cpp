@@ -57,8 +57,8 @@ ros1::Health TellRos::health_of(const Mission& mission) {
   return health;
 }
 
-CognitiveCycle::Pilot cmd_vel_pilot(const ros1::RosSettings& settings) {
-  const auto pilot = std::make_shared<ros1::CmdVelPilot>(settings, HeadPose{0.0, kRestingTilt_rad});
+CognitiveCycle::Pilot cmd_vel_pilot(const ros1::RosSettings& settings, double resting_tilt_rad) {
+  const auto pilot = std::make_shared<ros1::CmdVelPilot>(settings, HeadPose{0.0, resting_tilt_rad});
   return [pilot](TimePoint now) -> std::optional<Wish> {
     const std::optional<MotorCommand> command = pilot->wanted();
     if (!command) return std::nullopt;

@@ -22,6 +22,7 @@ class TellRos {
 };
 
 /// `cmd_vel` as a pilot: drives while it is fresh; older than its lease it has no say.
-[[nodiscard]] CognitiveCycle::Pilot cmd_vel_pilot(const ros1::RosSettings& settings);
+[[nodiscard]] CognitiveCycle::Pilot cmd_vel_pilot(const ros1::RosSettings& settings,
+                                                  double resting_tilt_rad);
 
 }  // namespace striate

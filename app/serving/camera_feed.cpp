@@ -1,6 +1,6 @@
 #include "app/serving/camera_feed.hpp"
 
-#include "platform/interface/time.hpp"
+#include "base/time.hpp"
 #include "platform/pioneer/camera/picture_stream.hpp"
 
 namespace striate {

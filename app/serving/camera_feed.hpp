@@ -7,7 +7,7 @@
 #include <optional>
 #include <thread>
 
-#include "platform/pioneer/arcos/bytes.hpp"
+#include "base/bytes.hpp"
 #include "platform/simulator/picture_source.hpp"
 
 namespace striate {
@@ -25,7 +25,7 @@ class CameraFeed {
     Steady::time_point at;
   };
   /// Gets a packet of the picture stream, without its age; called in the feed's thread.
-  using Ready = std::function<void(pioneer::Bytes packet, Steady::time_point exposed_at)>;
+  using Ready = std::function<void(Bytes packet, Steady::time_point exposed_at)>;
 
   /// `pictures` must outlive this; nobody else may use it.
   CameraFeed(simulator::PictureSource& pictures, Ready ready);

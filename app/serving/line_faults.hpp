@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <deque>
 
-#include "platform/interface/time.hpp"
-#include "platform/pioneer/arcos/bytes.hpp"
+#include "base/bytes.hpp"
+#include "base/time.hpp"
 #include "platform/simulator/random.hpp"
 
 namespace striate {
@@ -25,16 +25,16 @@ class FaultyWay {
   FaultyWay(const LineFaults& faults, std::uint64_t seed)
       : faults_(faults), random_(seed, simulator::Purpose::line_faults) {}
 
-  void put(pioneer::ByteView bytes, double connected_s);
+  void put(ByteView bytes, double connected_s);
   /// What comes out at the other end by now.
-  [[nodiscard]] pioneer::Bytes take(double connected_s);
+  [[nodiscard]] Bytes take(double connected_s);
 
  private:
   struct Chunk {
     double due_s = 0.0;
-    pioneer::Bytes bytes;
+    Bytes bytes;
   };
-  void spoil(pioneer::Bytes& bytes);
+  void spoil(Bytes& bytes);
 
   LineFaults faults_;
   simulator::Random random_;

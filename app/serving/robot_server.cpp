@@ -13,8 +13,6 @@ namespace striate {
 namespace {
 
 namespace asio = boost::asio;
-using pioneer::Bytes;
-using pioneer::ByteView;
 using Steady = std::chrono::steady_clock;
 
 /// Later than this the clock is set anew instead of catching up in a burst.

@@ -17,7 +17,6 @@ namespace {
 namespace asio = boost::asio;
 using boost::system::error_code;
 using Tcp = asio::ip::tcp;
-using pioneer::Bytes;
 
 }  // namespace
 
@@ -128,7 +127,7 @@ void ServedLine::Parts::read_on(Stream& stream) {
                                                   const error_code& error, std::size_t size) {
     if (now != generation) return;
     if (error) return let_go(error.message());
-    events.received(pioneer::ByteView(chunk).first(size));
+    events.received(ByteView(chunk).first(size));
     read_on(stream);
   });
 }
@@ -179,7 +178,7 @@ void ServedLine::write(Bytes bytes) {
   if (parts_->outbox.empty()) {
     parts_->outbox.swap(bytes);
   } else {
-    pioneer::append(parts_->outbox, bytes);
+    append(parts_->outbox, bytes);
   }
   if (parts_->outbox.size() > parts_->place.most_waiting) {
     parts_->outbox.clear();

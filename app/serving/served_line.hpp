@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 
-#include "platform/pioneer/arcos/bytes.hpp"
+#include "base/bytes.hpp"
 
 namespace striate {
 
@@ -25,7 +25,7 @@ class ServedLine {
  public:
   struct Events {
     std::function<void()> connected;
-    std::function<void(pioneer::ByteView)> received;
+    std::function<void(ByteView)> received;
     std::function<void(const std::string&)> log;
   };
 
@@ -39,7 +39,7 @@ class ServedLine {
   /// Nothing of what was written is still waiting.
   [[nodiscard]] bool idle() const;
   /// For the client; dropped where there is none.
-  void write(pioneer::Bytes bytes);
+  void write(Bytes bytes);
   /// Ends the connection; a pseudo-terminal has none to end.
   void let_go(const std::string& why);
 

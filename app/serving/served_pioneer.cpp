@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "platform/simulator/range_finders.hpp"
-
 namespace striate {
 namespace {
 
@@ -13,8 +11,7 @@ constexpr double kHeadFollows_rad_s = 20.0;
 constexpr Duration kLaserPeriod = std::chrono::milliseconds(100);  // both lasers sweep at 10 Hz
 
 /// The controller ramps speeds itself: the motors below it follow as fast as motors do.
-RobotDescription motors() {
-  RobotDescription robot;
+RobotDescription with_motors(RobotDescription robot) {
   robot.max_forward_m_s = 1.0;
   robot.max_turn_rad_s = radians(360.0);
   robot.max_acceleration_m_s2 = 2.5;
@@ -40,8 +37,11 @@ double range_from(const Pose2& sensor, const RangeReading& seen) {
 
 ServedPioneer::ServedPioneer(const simulator::World& world, std::uint64_t seed,
                              const simulator::SimulatorSettings& settings,
-                             const pioneer::FirmwareSettings& firmware)
-    : body_(world, seed, for_serving(settings), nullptr, motors()),
+                             const pioneer::FirmwareSettings& firmware,
+                             const RobotDescription& robot)
+    : sonar_mounts_(simulator::sonar_mounts(robot)),
+      laser_mount_(simulator::laser_mount(robot)),
+      body_(world, seed, for_serving(settings), nullptr, with_motors(robot)),
       firmware_(firmware),
       servos_({pioneer::ServoModel(1, 0.0), pioneer::ServoModel(2, 0.0)}),
       camera_(seed, settings.sensors, settings.faults),
@@ -51,18 +51,17 @@ void ServedPioneer::hand_over_sonar() {
   if (senses_.sonar.stamp == sonar_stamp_) return;
   sonar_stamp_ = senses_.sonar.stamp;
   for (const std::size_t disc : simulator::discs_fired_at(sonar_stamp_)) {
-    firmware_.sonar(disc, range_from(simulator::sonar_poses()[disc], senses_.sonar.readings[disc]));
+    firmware_.sonar(disc, range_from(sonar_mounts_[disc], senses_.sonar.readings[disc]));
   }
 }
 
 void ServedPioneer::hand_over_laser() {
   if (!firmware_.laser_wanted() || now() < next_laser_) return;
   next_laser_ = now() + kLaserPeriod;
-  const Pose2 mount = simulator::laser_mount();
   std::vector<std::uint16_t> ranges_mm;
   ranges_mm.reserve(senses_.laser.readings.size());
   for (const RangeReading& seen : senses_.laser.readings) {
-    const double range_m = std::min(range_from(mount, seen), laser_range_m_);
+    const double range_m = std::min(range_from(laser_mount_, seen), laser_range_m_);
     ranges_mm.push_back(static_cast<std::uint16_t>(std::lround(1000.0 * range_m)));
   }
   firmware_.laser(ranges_mm);
@@ -75,7 +74,7 @@ double ServedPioneer::laser_range_m(double bearing_rad) const {
   const double at = (bearing_rad + radians(90.0)) / radians(180.0) * last;
   if (readings.empty() || at < -0.5 || at > last + 0.5) return 0.0;
   const auto index = static_cast<std::size_t>(std::lround(std::clamp(at, 0.0, last)));
-  return range_from(simulator::laser_mount(), readings[index]);
+  return range_from(laser_mount_, readings[index]);
 }
 
 void ServedPioneer::turn_the_urg() {

@@ -4,6 +4,7 @@
 #include "platform/pioneer/firmware/servo_bus.hpp"
 #include "platform/pioneer/firmware/urg_device.hpp"
 #include "platform/simulator/camera_link.hpp"
+#include "platform/simulator/range_finders.hpp"
 #include "platform/simulator/simulated_pioneer.hpp"
 
 namespace striate {
@@ -15,7 +16,7 @@ class ServedPioneer {
  public:
   ServedPioneer(const simulator::World& world, std::uint64_t seed,
                 const simulator::SimulatorSettings& settings,
-                const pioneer::FirmwareSettings& firmware);
+                const pioneer::FirmwareSettings& firmware, const RobotDescription& robot = {});
 
   /// Of physics, as the simulated Pioneer's (10 ms)
   static constexpr Duration kStep = std::chrono::milliseconds(10);
@@ -42,6 +43,8 @@ class ServedPioneer {
   void turn_the_urg();
   [[nodiscard]] double laser_range_m(double bearing_rad) const;
 
+  std::array<Pose2, kSonarDiscs> sonar_mounts_;
+  Pose2 laser_mount_;
   simulator::SimulatedPioneer body_;
   pioneer::ArcosFirmware firmware_;
   pioneer::ServoBus servos_;

@@ -5,7 +5,7 @@
 #include "app/replay/replay_mission.hpp"
 #include "app/robot_settings.hpp"
 #include "app/teaching/live_teacher.hpp"
-#include "config/user_error.hpp"
+#include "base/user_error.hpp"
 
 namespace striate {
 

@@ -8,13 +8,13 @@
 #include <optional>
 
 #include "app/baselines/baseline.hpp"
-#include "app/files.hpp"
 #include "app/interrupt.hpp"
 #include "app/run_result.hpp"
 #include "app/status_line.hpp"
 #include "app/trial/process_pool.hpp"
 #include "app/trial/trial_table.hpp"
-#include "config/user_error.hpp"
+#include "base/files.hpp"
+#include "base/user_error.hpp"
 
 namespace striate {
 namespace {

@@ -8,10 +8,10 @@
 #include <optional>
 #include <set>
 
-#include "app/files.hpp"
 #include "app/run_result.hpp"
 #include "app/trial/trial_table.hpp"
-#include "config/user_error.hpp"
+#include "base/files.hpp"
+#include "base/user_error.hpp"
 
 namespace striate {
 namespace {

@@ -4,7 +4,7 @@
 #include <map>
 #include <string>
 
-#include "platform/interface/geometry.hpp"
+#include "base/geometry.hpp"
 
 namespace striate {
 

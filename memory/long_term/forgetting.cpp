@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
+#include "base/user_error.hpp"
 #include "config/quantity.hpp"
-#include "config/user_error.hpp"
 #include "memory/long_term/activation.hpp"
 
 namespace striate {

@@ -3,9 +3,9 @@
 #include <cstdint>
 #include <unordered_map>
 
+#include "base/geometry.hpp"
 #include "memory/long_term/long_term_settings.hpp"
 #include "memory/long_term/memory_tables.hpp"
-#include "platform/interface/geometry.hpp"
 
 namespace striate {
 

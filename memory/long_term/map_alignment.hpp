@@ -3,8 +3,8 @@
 #include <optional>
 #include <vector>
 
+#include "base/geometry.hpp"
 #include "memory/long_term/records.hpp"
-#include "platform/interface/geometry.hpp"
 
 namespace striate {
 

@@ -7,7 +7,7 @@
 
 #include <filesystem>
 
-#include "config/user_error.hpp"
+#include "base/user_error.hpp"
 #include "memory/long_term/damage.hpp"
 #include "memory/long_term/memory_errors.hpp"
 #include "memory/long_term/migration.hpp"

@@ -8,7 +8,7 @@
 
 #include <filesystem>
 
-#include "config/user_error.hpp"
+#include "base/user_error.hpp"
 #include "memory/long_term/damage.hpp"
 
 namespace striate {

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "perception/recognition/landmark_view.hpp"
+
 /// What the long-term memory holds, as the rest of the program sees it. One struct a table.
 ///
 /// Times named `_s` are *operating time*: seconds that the robot was at work since its memory was
@@ -30,15 +32,6 @@ struct Session {
   std::string outcome;       ///< "success", "undone", ...; empty while open
 };
 
-/// Where and how a keypoint lies in its view. Four numbers of 32 bits in the file, in this order.
-struct StoredKeypoint {
-  float x_px = 0.0F;  ///< from the upper left pixel of the view
-  float y_px = 0.0F;
-  float size_px = 0.0F;
-  float angle_rad = 0.0F;  ///< from +x towards +y
-  friend bool operator==(const StoredKeypoint&, const StoredKeypoint&) = default;
-};
-
 using StoredDescriptor = std::array<std::uint8_t, 32>;  ///< 256 bits, bit b in byte b / 8
 
 /// One look at a landmark.
@@ -49,8 +42,8 @@ struct StoredView {
   double width_px = 0.0;
   double height_px = 0.0;
   std::vector<StoredDescriptor> descriptors;
-  std::vector<StoredKeypoint> keypoints;  ///< as many as descriptors
-  std::optional<double> range_m;          ///< from where it was seen
+  std::vector<ViewKeypoint> keypoints;  ///< as many as descriptors
+  std::optional<double> range_m;        ///< from where it was seen
   std::optional<double> bearing_rad;
   std::vector<std::uint8_t> picture;  ///< JPEG of the region; empty: none
   bool damaged = false;               ///< the bytes do not match their checksum: not to be used

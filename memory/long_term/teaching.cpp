@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "config/user_error.hpp"
+#include "base/user_error.hpp"
 #include "memory/long_term/activation.hpp"
 
 namespace striate {

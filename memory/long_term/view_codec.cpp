@@ -6,7 +6,7 @@
 namespace striate {
 namespace {
 
-static_assert(sizeof(StoredKeypoint) == 16 && sizeof(StoredDescriptor) == 32);
+static_assert(sizeof(ViewKeypoint) == 16 && sizeof(StoredDescriptor) == 32);
 
 template <class T>
 std::span<const std::uint8_t> as_bytes(const std::vector<T>& all) {
@@ -30,7 +30,7 @@ std::span<const std::uint8_t> bytes_of(const std::vector<StoredDescriptor>& all)
   return as_bytes(all);
 }
 
-std::span<const std::uint8_t> bytes_of(const std::vector<StoredKeypoint>& all) {
+std::span<const std::uint8_t> bytes_of(const std::vector<ViewKeypoint>& all) {
   return as_bytes(all);
 }
 
@@ -38,7 +38,7 @@ void unpack(std::span<const std::uint8_t> bytes, std::vector<StoredDescriptor>& 
   unpack_as(bytes, all);
 }
 
-void unpack(std::span<const std::uint8_t> bytes, std::vector<StoredKeypoint>& all) {
+void unpack(std::span<const std::uint8_t> bytes, std::vector<ViewKeypoint>& all) {
   unpack_as(bytes, all);
 }
 

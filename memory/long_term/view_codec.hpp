@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "memory/long_term/checksum.hpp"
+#include "base/crc32c.hpp"
 #include "memory/long_term/records.hpp"
 #include "perception/percept.hpp"
 
@@ -17,11 +17,11 @@ namespace striate {
 [[nodiscard]] std::span<const std::uint8_t> bytes_of(const SQLite::Column& column);
 
 [[nodiscard]] std::span<const std::uint8_t> bytes_of(const std::vector<StoredDescriptor>& all);
-[[nodiscard]] std::span<const std::uint8_t> bytes_of(const std::vector<StoredKeypoint>& all);
+[[nodiscard]] std::span<const std::uint8_t> bytes_of(const std::vector<ViewKeypoint>& all);
 
 /// @param bytes a whole number of elements, as the tables' CHECK ensures; a rest is left out.
 void unpack(std::span<const std::uint8_t> bytes, std::vector<StoredDescriptor>& all);
-void unpack(std::span<const std::uint8_t> bytes, std::vector<StoredKeypoint>& all);
+void unpack(std::span<const std::uint8_t> bytes, std::vector<ViewKeypoint>& all);
 
 /// Over everything that recognition rests on: size, descriptors, keypoints.
 [[nodiscard]] std::uint32_t checksum_of_view(double width_px, double height_px,

@@ -7,7 +7,7 @@
 namespace striate {
 namespace {
 
-Place place_of(const StoredKeypoint& point) {
+Place place_of(const ViewKeypoint& point) {
   return {point.x_px, point.y_px, std::max(0.01F, point.size_px), point.angle_rad};
 }
 

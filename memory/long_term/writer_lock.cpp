@@ -9,7 +9,7 @@
 #include <cerrno>
 #include <cstring>
 
-#include "config/user_error.hpp"
+#include "base/user_error.hpp"
 
 namespace striate {
 namespace {

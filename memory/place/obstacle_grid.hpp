@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "base/geometry.hpp"
 #include "memory/long_term/records.hpp"
-#include "platform/interface/geometry.hpp"
 
 namespace striate {
 

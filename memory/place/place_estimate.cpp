@@ -23,6 +23,8 @@ constexpr double kMiddleOff_rad = 0.02;
 constexpr double kFrameSigma_m = 5.0;
 constexpr double kFrameSigma_rad = 0.5;
 
+constexpr double kDisparityMetre_px = 24.4;  // of the simulated camera, rounded
+
 bool has_range(const LandmarkSighting& sighting) {
   return std::isfinite(sighting.distance_m) && sighting.distance_m > 0.0;
 }
@@ -141,8 +143,7 @@ Look PlaceEstimate::put(PlacedLandmark& one, const PlaceFilter::Seen& seen) {
 PlaceFilter::Seen PlaceEstimate::seen_from(const LandmarkSighting& sighting,
                                            const Pose2& from) const {
   const double range_m = sighting.distance_m;
-  const double along_m =
-      range_m * range_m * settings_.disparity_error_px / settings_.disparity_metre_px;
+  const double along_m = range_m * range_m * settings_.disparity_error_px / kDisparityMetre_px;
   const double across_m = range_m * settings_.bearing_error_rad;
   const double middle_m2 = settings_.middle_error_m * settings_.middle_error_m;
   const double along_m2 = along_m * along_m + middle_m2;

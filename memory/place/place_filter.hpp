@@ -4,9 +4,9 @@
 #include <cstddef>
 #include <vector>
 
+#include "base/geometry.hpp"
 #include "memory/long_term/records.hpp"
 #include "memory/place/place_settings.hpp"
-#include "platform/interface/geometry.hpp"
 
 namespace striate {
 

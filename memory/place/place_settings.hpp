@@ -15,13 +15,12 @@ struct PlaceSettings {
   double slip_m_root_m = 0.003;     ///< by hand: 0.023 m in 60 m, beside 0.45 m of scale
   double slip_rad_root_m = 0.0015;  ///< by hand: 0.012 rad in 60 m
   // Sightings.
-  double bearing_error_rad = 0.01;   ///< two pixels of 203 px focal length
-  double disparity_error_px = 0.5;   ///< by hand: above the 0.35 px of a trusted match
-  double disparity_metre_px = 24.4;  ///< 203 px times 0.12 m
-  double middle_error_m = 0.05;      ///< by hand: a quarter of a book or box
-  double gate = 13.8;                ///< chi squared of 99.9 %, two degrees of freedom
-  double new_look_after_m = 0.2;     ///< by hand: nearer looks share their errors
-  double new_look_after_rad = 0.1;   ///< by hand: the same
+  double bearing_error_rad = 0.01;  ///< two pixels of 203 px focal length
+  double disparity_error_px = 0.5;  ///< by hand: above the 0.35 px of a trusted match
+  double middle_error_m = 0.05;  ///< by hand: a quarter of a book or box
+  double gate = 13.8;  ///< chi squared of 99.9 %, two degrees of freedom
+  double new_look_after_m = 0.2;  ///< by hand: nearer looks share their errors
+  double new_look_after_rad = 0.1;  ///< by hand: the same
   // Where a run starts.
   bool starts_at_home = true;
   double start_error_m = 0.3;    ///< by hand, as kStartOffsetStd_m of CorridorMemory
@@ -43,8 +42,8 @@ void visit(V& v, PlaceSettings& s) {
            "of a landmark's bearing by one look");
   v.number("disparity_error", s.disparity_error_px, Unit::pixels, {0.01, 10},
            "of a landmark's disparity: the error of its range grows with the square of the range");
-  v.number("disparity_metre", s.disparity_metre_px, Unit::none, {1, 1000},
-           "focal length in px times baseline in m: range = this / disparity");
+  v.retired("disparity_metre",
+            "the camera says it: focal length times baseline comes with each picture");
   v.number("middle_error", s.middle_error_m, Unit::length, {0, 1},
            "of what is taken for a landmark's middle");
   v.number("gate", s.gate, Unit::none, {1, 100},

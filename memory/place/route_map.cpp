@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "platform/interface/geometry.hpp"
+#include "base/geometry.hpp"
 
 namespace striate {
 namespace {

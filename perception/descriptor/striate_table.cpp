@@ -4,7 +4,7 @@
 
 #include <sstream>
 
-#include "config/user_error.hpp"
+#include "base/user_error.hpp"
 
 namespace striate {
 namespace {

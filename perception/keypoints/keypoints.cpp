@@ -6,7 +6,7 @@
 #include <opencv2/imgproc.hpp>
 #include <stdexcept>
 
-#include "config/user_error.hpp"
+#include "base/user_error.hpp"
 
 namespace striate {
 namespace {

@@ -7,7 +7,7 @@
 #include <optional>
 #include <stdexcept>
 
-#include "config/user_error.hpp"
+#include "base/user_error.hpp"
 
 namespace striate {
 namespace {

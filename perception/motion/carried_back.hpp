@@ -2,8 +2,8 @@
 
 #include <optional>
 
+#include "base/geometry.hpp"
 #include "perception/obstacles/view_geometry.hpp"
-#include "platform/interface/geometry.hpp"
 
 namespace striate {
 

@@ -4,10 +4,10 @@
 #include <cstddef>
 #include <vector>
 
+#include "base/geometry.hpp"
 #include "perception/motion/motion_settings.hpp"
 #include "perception/obstacles/view_geometry.hpp"
 #include "perception/percept.hpp"
-#include "platform/interface/geometry.hpp"
 #include "platform/interface/robot.hpp"
 #include "platform/interface/senses.hpp"
 

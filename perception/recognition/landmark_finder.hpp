@@ -5,12 +5,12 @@
 #include <span>
 #include <vector>
 
+#include "base/time.hpp"
 #include "perception/obstacles/view_geometry.hpp"
 #include "perception/recognition/finder_settings.hpp"
 #include "perception/recognition/look_windows.hpp"
 #include "perception/recognition/oriented_keypoints.hpp"
 #include "perception/recognition/recogniser.hpp"
-#include "platform/interface/time.hpp"
 
 namespace striate {
 

@@ -1,6 +1,6 @@
 #include "perception/recognition/landmark_view.hpp"
 
-#include "config/user_error.hpp"
+#include "base/user_error.hpp"
 
 namespace striate {
 

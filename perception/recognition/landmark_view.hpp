@@ -14,6 +14,7 @@ struct ViewKeypoint {
   float y_px = 0.0F;
   float size_px = 0.0F;    ///< the keypoint's wavelength, in pixels of the view; above 0
   float angle_rad = 0.0F;  ///< from +x towards +y
+  friend bool operator==(const ViewKeypoint&, const ViewKeypoint&) = default;
 };
 static_assert(sizeof(ViewKeypoint) == 16 && sizeof(Descriptor) == 32);
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "config/user_error.hpp"
+#include "base/user_error.hpp"
 
 namespace striate {
 namespace {

@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "config/user_error.hpp"
+#include "base/user_error.hpp"
 #include "perception/descriptor/dense_descriptor.hpp"
 #include "perception/descriptor/phase_code.hpp"
 #include "perception/stereo/decision.hpp"

@@ -3,8 +3,8 @@
 #include <opencv2/core/mat.hpp>
 #include <vector>
 
-#include "platform/interface/geometry.hpp"
-#include "platform/interface/time.hpp"
+#include "base/geometry.hpp"
+#include "base/time.hpp"
 
 namespace striate {
 

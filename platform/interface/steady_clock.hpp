@@ -2,7 +2,7 @@
 
 #include <chrono>
 
-#include "platform/interface/time.hpp"
+#include "base/time.hpp"
 
 namespace striate {
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "platform/interface/seen_from_axle.hpp"
+
 namespace striate::pioneer {
 namespace {
 
@@ -48,15 +50,13 @@ void BaseTracker::move_on(const arcos::Sip& sip) {
 }
 
 void BaseTracker::take_laser(const std::vector<std::uint16_t>& ranges_mm, TimePoint stamp) {
-  constexpr double kMountForwardM = 0.021;  // an LMS-2xx on a p3dx-sh (ARIA's p3dx-sh.p)
   state_.laser.stamp = stamp;
   state_.laser.readings.clear();
   const double steps = std::max<double>(1.0, static_cast<double>(ranges_mm.size()) - 1.0);
   for (std::size_t i = 0; i < ranges_mm.size(); ++i) {
     const double bearing_rad = radians(-90.0 + 180.0 * static_cast<double>(i) / steps);
-    const Point2 hit =
-        to_outer({kMountForwardM, 0.0, bearing_rad}, Point2{ranges_mm[i] / 1000.0, 0.0});
-    state_.laser.readings.push_back({std::atan2(hit.y_m, hit.x_m), std::hypot(hit.x_m, hit.y_m)});
+    state_.laser.readings.push_back(
+        seen_from_axle({kLaserForward_m, 0.0, bearing_rad}, ranges_mm[i] / 1000.0));
   }
 }
 

@@ -5,19 +5,12 @@
 #include <stdexcept>
 #include <thread>
 
+#include "platform/interface/seen_from_axle.hpp"
+
 namespace striate::pioneer {
 namespace {
 
-/// A disc speaks every 320 ms; what is older than two turns says nothing
-constexpr Duration kSonarFresh = std::chrono::milliseconds(700);
-/// Between looks while the base is awaited: below a fifth of a SIP cycle
 constexpr Duration kLookAgain = std::chrono::milliseconds(20);
-
-RangeReading from_axle(const Pose2& disc, double range_m) {
-  if (!std::isfinite(range_m)) return {disc.heading_rad, range_m};
-  const Point2 hit = to_outer(disc, Point2{range_m, 0.0});
-  return {std::atan2(hit.y_m, hit.x_m), std::hypot(hit.x_m, hit.y_m)};
-}
 
 }  // namespace
 
@@ -29,7 +22,7 @@ void fill_senses(const BaseState& base, TimePoint now, Senses& senses) {
   for (std::size_t disc = 0; disc < kSonarDiscs; ++disc) {
     const DiscReading& reading = base.sonar[disc];
     if (!reading.told || now - reading.stamp > kSonarFresh) continue;
-    senses.sonar.readings.push_back(from_axle(sonar_disc(disc), reading.range_m));
+    senses.sonar.readings.push_back(seen_from_axle(sonar_disc(disc), reading.range_m));
     senses.sonar.stamp = std::max(senses.sonar.stamp, reading.stamp);
   }
   senses.laser = base.laser;
@@ -51,24 +44,40 @@ PioneerSettings base_alone(const BaseDriverSettings& settings, const std::string
 
 PioneerRobot::PioneerRobot(const BaseDriverSettings& settings, const std::string& url,
                            Duration patience)
-    : PioneerRobot(base_alone(settings, url), patience) {}
+    : PioneerRobot(base_alone(settings, url), {}, patience) {}
 
-PioneerRobot::PioneerRobot(const PioneerSettings& settings, Duration patience)
-    : driver_(settings.base, make_transport(settings.devices.base), clock_) {
+PioneerRobot::PioneerRobot(const PioneerSettings& settings, const RobotDescription& body,
+                           Duration patience)
+    : driver_(settings.base, make_transport(settings.devices.base), clock_), description_(body) {
   connect_devices(settings);
   wait_for_all(settings.devices, patience);
+  describe(settings);
+  next_cycle_ = clock_.now();
+}
+
+/// What was told of the body, as far as base, head and camera allow it.
+void PioneerRobot::describe(const PioneerSettings& settings) {
+  const auto at_most = [](double& limit, double other) { limit = std::min(limit, other); };
   const DriverReport report = driver_.report();
-  description_.max_forward_m_s = report.most_forward_m_s;
-  description_.max_turn_rad_s = report.most_turn_rad_s;
-  description_.max_acceleration_m_s2 = settings.base.session.acceleration_m_s2;
-  description_.max_turn_acceleration_rad_s2 = settings.base.session.turn_acceleration_rad_s2;
+  at_most(description_.max_forward_m_s, report.most_forward_m_s);
+  at_most(description_.max_turn_rad_s, report.most_turn_rad_s);
+  at_most(description_.max_acceleration_m_s2, settings.base.session.acceleration_m_s2);
+  at_most(description_.max_turn_acceleration_rad_s2,
+          settings.base.session.turn_acceleration_rad_s2);
   description_.camera_height_m = settings.camera.height_m;
   description_.camera_forward_m = settings.camera.forward_m;
-  if (turret_) {
-    description_.max_pan_rad = settings.turret.most_pan_rad;
-    description_.max_tilt_rad = settings.turret.most_tilt_rad;
+  description_.resting_tilt_rad = settings.camera.resting_tilt_rad;
+  description_.view_rad = settings.camera.field_rad;
+  if (camera_) {
+    const StereoFrame frame = camera_->newest();
+    if (frame.focal_px > 0.0) {
+      description_.view_rad = 2.0 * std::atan(0.5 * frame.left.cols / frame.focal_px);
+    }
   }
-  next_cycle_ = clock_.now();
+  if (turret_) {
+    at_most(description_.max_pan_rad, settings.turret.most_pan_rad);
+    at_most(description_.max_tilt_rad, settings.turret.most_tilt_rad);
+  }
 }
 
 void PioneerRobot::connect_devices(const PioneerSettings& settings) {

@@ -21,7 +21,8 @@ class PioneerRobot final : public Robot {
  public:
   /// Connects, switches the motors on, and waits until each device has spoken.
   /// @throws UserError for a wrong place, std::runtime_error when something does not come up.
-  explicit PioneerRobot(const PioneerSettings& settings,
+  /// @param body its outline, and how fast it may drive at most; the rest it finds out
+  explicit PioneerRobot(const PioneerSettings& settings, const RobotDescription& body = {},
                         Duration patience = std::chrono::seconds(15));
   /// The base alone. @param url see make_transport
   PioneerRobot(const BaseDriverSettings& settings, const std::string& url,
@@ -40,6 +41,7 @@ class PioneerRobot final : public Robot {
 
  private:
   void connect_devices(const PioneerSettings& settings);
+  void describe(const PioneerSettings& settings);
   void wait_for_all(const DevicePlaces& places, Duration patience);
   [[nodiscard]] std::string who_is_missing(const DevicePlaces& places) const;
 

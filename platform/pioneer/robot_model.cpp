@@ -12,10 +12,6 @@ const std::array<RobotModel, 2>& models() {
   return known;
 }
 
-constexpr Pose2 disc_at(double x_mm, double y_mm, double deg) {
-  return {x_mm / 1000.0, y_mm / 1000.0, radians(deg)};
-}
-
 }  // namespace
 
 const RobotModel* find_model(const std::string& subclass) {
@@ -29,17 +25,6 @@ std::string known_models() {
   std::string names;
   for (const RobotModel& model : models()) names += (names.empty() ? "" : ", ") + model.subclass;
   return names;
-}
-
-const Pose2& sonar_disc(std::size_t disc) {
-  static constexpr std::array<Pose2, kSonarDiscs> discs{
-      disc_at(69, 136, 90),      disc_at(114, 119, 50),    disc_at(148, 78, 30),
-      disc_at(166, 27, 10),      disc_at(166, -27, -10),   disc_at(148, -78, -30),
-      disc_at(114, -119, -50),   disc_at(69, -136, -90),   disc_at(-157, -136, -90),
-      disc_at(-203, -119, -130), disc_at(-237, -78, -150), disc_at(-255, -27, -170),
-      disc_at(-255, 27, 170),    disc_at(-237, 78, 150),   disc_at(-203, 119, 130),
-      disc_at(-157, 136, 90)};
-  return discs.at(disc);
 }
 
 }  // namespace striate::pioneer

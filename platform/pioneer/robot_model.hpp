@@ -1,9 +1,8 @@
 #pragma once
 
-#include <numbers>
 #include <string>
 
-#include "platform/interface/geometry.hpp"
+#include "base/pioneer_devices.hpp"
 
 namespace striate::pioneer {
 
@@ -11,10 +10,10 @@ namespace striate::pioneer {
 /// end of the handshake; the wrong one gives wrong odometry, so an unknown kind is refused.
 struct RobotModel {
   std::string subclass;
-  double distance_mm = 1.0;                            ///< of one count of x and y
-  double angle_rad = 2.0 * std::numbers::pi / 4096.0;  ///< of one count of the heading
-  double range_mm = 1.0;                               ///< of one count of sonar
-  double half_axle_mm = 178.6;                         ///< from wheel speeds to turning
+  double distance_mm = 1.0;              ///< of one count of x and y
+  double angle_rad = kHeadingCount_rad;  ///< of one count of the heading
+  double range_mm = 1.0;                 ///< of one count of sonar
+  double half_axle_mm = 178.6;           ///< from wheel speeds to turning
   double most_forward_mm_s = 2200.0;
   double most_turn_deg_s = 500.0;
 };
@@ -23,9 +22,5 @@ struct RobotModel {
 [[nodiscard]] const RobotModel* find_model(const std::string& subclass);
 /// "p3dx, p3dx-sh"
 [[nodiscard]] std::string known_models();
-
-inline constexpr std::size_t kSonarDiscs = 16;  ///< a P3-DX with both arrays has two of eight
-/// Where a disc sits and looks, from the axle; the same for all models. disc < kSonarDiscs.
-[[nodiscard]] const Pose2& sonar_disc(std::size_t disc);
 
 }  // namespace striate::pioneer

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "base/stopping_speed.hpp"
+
 namespace striate::pioneer {
 
 using arcos::Command;
@@ -15,8 +17,6 @@ namespace {
 constexpr Duration kMissedTicks = std::chrono::milliseconds(300);
 /// Five SIPs: by then the flags of one would show that they are on
 constexpr Duration kAskMotorsAgain = std::chrono::milliseconds(500);
-/// A disc speaks every 320 ms; what is older than two turns says nothing.
-constexpr Duration kSonarFresh = std::chrono::milliseconds(700);
 /// The head's thread speaks every few milliseconds.
 constexpr Duration kHeadSilent = std::chrono::milliseconds(500);
 /// Those that look within 30 deg of straight ahead (robot_model.cpp)
@@ -129,12 +129,10 @@ double SafetyGate::free_way_mm_s(bool forward, TimePoint now) const {
       nearest_m = std::min(nearest_m, reading.range_m);
     }
   }
-  // The fastest speed from which it stands in time: way = v latency + v^2 / 2a.
   const double way_mm = 1000.0 * std::max(0.0, nearest_m - settings_.sonar_stop_m);
   if (!std::isfinite(way_mm)) return way_mm;
   const double brake = std::min(kMostBrakeMm_s2, session_.deceleration_mm_s2());
-  const double slow = brake * settings_.latency_s;
-  return std::sqrt(slow * slow + 2.0 * brake * way_mm) - slow;
+  return stopping_speed(way_mm, brake, settings_.latency_s);
 }
 
 void SafetyGate::limit_by_sonar(Motion& motion, TimePoint now) {

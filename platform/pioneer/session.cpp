@@ -10,9 +10,6 @@ using arcos::command;
 
 namespace {
 
-/// The longest packet takes 269 ms at 9600 baud; a count that promises more never comes true.
-constexpr Duration kLongestPacket = std::chrono::milliseconds(280);
-/// As ARIA asks again for a CONFIGpac
 constexpr Duration kConfigAgain = std::chrono::milliseconds(200);
 /// As ARIA waits for a CONFIGpac; then it goes on without
 constexpr Duration kConfigPatience = std::chrono::milliseconds(1000);
@@ -219,7 +216,7 @@ void Session::tell_limits() {
 }
 
 void Session::tick(TimePoint now) {
-  if (incomplete_ && now - incomplete_since_ > kLongestPacket) {
+  if (incomplete_ && now - incomplete_since_ > arcos::kLongestPacket) {
     stream_.give_up_waiting();
     incomplete_ = false;
     receive({}, now);

@@ -3,8 +3,8 @@
 #include <memory>
 #include <string>
 
-#include "platform/interface/time.hpp"
-#include "platform/pioneer/arcos/bytes.hpp"
+#include "base/bytes.hpp"
+#include "base/time.hpp"
 
 namespace striate::pioneer {
 

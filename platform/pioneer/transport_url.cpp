@@ -6,7 +6,7 @@
 #include <array>
 #include <charconv>
 
-#include "config/user_error.hpp"
+#include "base/user_error.hpp"
 
 namespace striate::pioneer {
 namespace {

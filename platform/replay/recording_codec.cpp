@@ -42,6 +42,15 @@ void each_number(Robot& r, Each each) {
   each(r.max_tilt_rad);
 }
 
+/// What recordings hold of a body since it can be another than the Pioneer, behind all else; older
+/// ones end before it.
+template <class Robot, class Each>
+void each_later_number(Robot& r, Each each) {
+  each(r.corner_m);
+  each(r.view_rad);
+  each(r.resting_tilt_rad);
+}
+
 void put(ByteWriter& writer, TimePoint time) {
   writer.put(static_cast<std::int64_t>(time.time_since_epoch().count()));
 }
@@ -230,6 +239,7 @@ std::vector<std::uint8_t> encode(const RecordedSetup& setup) {
   writer.put(setup.seed);
   each_number(setup.robot, [&](double number) { writer.put(number); });
   writer.put(static_cast<std::int64_t>(setup.robot.cycle.count()));
+  each_later_number(setup.robot, [&](double number) { writer.put(number); });
   return payload;
 }
 
@@ -251,6 +261,9 @@ RecordedSetup decode_setup(std::span<const std::uint8_t> payload) {
   setup.seed = reader.take<std::uint64_t>();
   each_number(setup.robot, [&](double& number) { number = reader.take<double>(); });
   setup.robot.cycle = Duration(reader.take<std::int64_t>());
+  if (reader.left() > 0) {
+    each_later_number(setup.robot, [&](double& number) { number = reader.take<double>(); });
+  }
   reader.expect_end();
   return setup;
 }

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "platform/replay/bytes.hpp"
+#include "base/bytes.hpp"
 #include "platform/replay/recording.hpp"
 
 /// The payloads of a recording's chunks, bit for bit; pictures as PNG, which loses nothing.

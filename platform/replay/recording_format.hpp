@@ -1,20 +1,17 @@
 #pragma once
 
-#include <array>
-#include <bit>
 #include <cstdint>
 #include <span>
 #include <string_view>
 #include <vector>
 
-#include "platform/replay/bytes.hpp"
+#include "base/bytes.hpp"
+#include "base/crc32c.hpp"
 
-/// The frame of a recording: a head of the file, then chunks, each with its checksums.
+/// The frame of a recording: a head of the file, then chunks, each with its checksums (CRC-32C, as
+/// in the long-term memory).
 namespace striate::replay {
 
-static_assert(std::endian::native == std::endian::little, "a recording is little-endian");
-
-/// First bytes of a recording (ours)
 inline constexpr std::string_view kMagic = "striate recording\n";
 inline constexpr std::uint32_t kVersion = 1;  ///< of the layout; a reader refuses others
 inline constexpr std::size_t kFileHead_bytes = kMagic.size() + 4;  ///< magic and version
@@ -24,26 +21,6 @@ inline constexpr std::size_t kChunkHead_bytes = 16;
 inline constexpr std::uint32_t kMostChunk_bytes = 256U << 20U;
 
 enum class Chunk : std::uint32_t { setup = 1, cycle = 2, end = 3 };
-
-namespace detail {
-constexpr std::array<std::uint32_t, 256> crc_table() {
-  std::array<std::uint32_t, 256> table{};
-  for (std::uint32_t byte = 0; byte < table.size(); ++byte) {
-    std::uint32_t value = byte;
-    for (int bit = 0; bit < 8; ++bit) value = (value >> 1) ^ ((value & 1) != 0 ? 0x82F63B78U : 0U);
-    table[byte] = value;
-  }
-  return table;
-}
-}  // namespace detail
-
-/// CRC-32C, as in the long-term memory; here by one table, which is fast beside the pictures' PNG.
-[[nodiscard]] inline std::uint32_t checksum(std::span<const std::uint8_t> bytes) {
-  static constexpr auto kTable = detail::crc_table();  ///< CRC-32C of every byte
-  std::uint32_t crc = 0xFFFFFFFFU;
-  for (const std::uint8_t byte : bytes) crc = (crc >> 8) ^ kTable[(crc ^ byte) & 0xFF];
-  return ~crc;
-}
 
 /// The bytes that a new file begins with.
 [[nodiscard]] inline std::vector<std::uint8_t> file_head() {
@@ -59,8 +36,8 @@ inline void append_chunk(std::vector<std::uint8_t>& bytes, Chunk kind,
   ByteWriter writer(head);
   writer.put(static_cast<std::uint32_t>(kind));
   writer.put(static_cast<std::uint32_t>(payload.size()));
-  writer.put(checksum(payload));
-  writer.put(checksum(head));
+  writer.put(crc32c(payload));
+  writer.put(crc32c(head));
   bytes.insert(bytes.end(), head.begin(), head.end());
   bytes.insert(bytes.end(), payload.begin(), payload.end());
 }

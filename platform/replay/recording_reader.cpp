@@ -6,7 +6,7 @@
 #include <array>
 #include <filesystem>
 
-#include "config/user_error.hpp"
+#include "base/user_error.hpp"
 #include "platform/replay/recording_codec.hpp"
 
 namespace striate::replay {
@@ -85,12 +85,12 @@ RecordingReader::Got RecordingReader::read_chunk(Chunk& kind) {
   const auto size = reader.take<std::uint32_t>();
   const auto of_payload = reader.take<std::uint32_t>();
   const auto of_head = reader.take<std::uint32_t>();
-  if (of_head != checksum(std::span(head).first(kChunkHead_bytes - 4))) {
+  if (of_head != crc32c(std::span(head).first(kChunkHead_bytes - 4))) {
     damaged("the checksum is wrong");
   }
   if (size > kMostChunk_bytes) damaged("a part is longer than any can be");
   if (read(*stream_, payload_, size) < size) return Got::end_of_file;
-  if (of_payload != checksum(payload_)) damaged("the checksum is wrong");
+  if (of_payload != crc32c(payload_)) damaged("the checksum is wrong");
   return Got::chunk;
 }
 

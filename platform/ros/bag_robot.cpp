@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "config/user_error.hpp"
+#include "base/user_error.hpp"
 #include "platform/ros/bag_topics.hpp"
 #include "platform/ros/inbox.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "platform/interface/time.hpp"
+#include "base/time.hpp"
 
 namespace striate::ros1 {
 

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <optional>
 
+#include "base/time.hpp"
 #include "platform/interface/motor_command.hpp"
-#include "platform/interface/time.hpp"
 
 namespace striate::ros1 {
 

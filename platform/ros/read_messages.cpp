@@ -1,7 +1,7 @@
 #include <cmath>
 #include <limits>
 
-#include "platform/interface/geometry.hpp"
+#include "base/geometry.hpp"
 #include "platform/ros/messages.hpp"
 #include "platform/ros/picture_codec.hpp"
 

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "platform/interface/geometry.hpp"
+#include "base/geometry.hpp"
 #include "platform/ros/body_to_ros_time.hpp"
 #include "platform/ros/messages.hpp"
 #include "platform/ros/node.hpp"

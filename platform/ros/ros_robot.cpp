@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <thread>
 
+#include "base/pioneer_devices.hpp"
 #include "platform/ros/command_lease.hpp"
 #include "platform/ros/hold_reason.hpp"
 #include "platform/ros/mailbox.hpp"
@@ -19,8 +20,6 @@ namespace striate::ros1 {
 namespace {
 
 constexpr double kPublishEvery_s = 0.05;  ///< odometry and tf at 20 Hz, twice a cycle
-/// As the Pioneer's: a disc speaks every 320 ms, twice that is stale
-constexpr Duration kSonarFresh = std::chrono::milliseconds(700);
 /// Four questions that it did not answer.
 constexpr Duration kMasterSilent = std::chrono::seconds(1);
 /// How long the last zero may take to the robot.

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "base/limits.hpp"
 #include "config/settings.hpp"
 
 namespace striate::ros1 {
@@ -29,10 +30,10 @@ struct RosSettings {
   std::string camera_frame = "stereo_left_optical";
 
   double pairing_s = 0.02;  ///< a fifth of the cycle; synchronised eyes differ by much less
-  double stale_s = 0.5;     ///< five pictures missed at 10 Hz
-  double lost_s = 5.0;      ///< ten times stale_s: what has not come back by then will not (ours)
-  double lease_s = 0.5;     ///< five cycles at 10 Hz, as the Pioneer's safety gate
-  double focal_px = 0.0;    ///< 0: as CameraInfo says
+  double stale_s = 0.5;  ///< five pictures missed at 10 Hz
+  double lost_s = 5.0;  ///< ten times stale_s: what has not come back by then will not (ours)
+  double lease_s = to_seconds(kCommandLease);  ///< five cycles at 10 Hz, as the Pioneer's safety gate
+  double focal_px = 0.0;  ///< 0: as CameraInfo says
   double baseline_m = 0.0;  ///< 0: as CameraInfo says
   double fixed_tilt_rad = 0.0;  ///< a head that looks straight ahead
   double scan_forward_m = 0.0;  ///< above the axle, unless told

@@ -3,7 +3,7 @@
 #include <array>
 #include <cstdint>
 
-#include "platform/interface/time.hpp"
+#include "base/time.hpp"
 
 namespace striate::ros1 {
 

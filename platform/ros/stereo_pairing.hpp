@@ -5,7 +5,7 @@
 #include <opencv2/core/mat.hpp>
 #include <optional>
 
-#include "platform/interface/time.hpp"
+#include "base/time.hpp"
 
 namespace striate::ros1 {
 

@@ -5,7 +5,7 @@
 #include <cstring>
 #include <limits>
 
-#include "platform/interface/geometry.hpp"
+#include "base/geometry.hpp"
 #include "platform/ros/messages.hpp"
 
 namespace striate::ros1 {

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "base/pioneer_devices.hpp"
+
 namespace striate::simulator {
 namespace {
 
@@ -35,13 +37,11 @@ void DeadReckoning::step(double dt_s, double forward_m_s, double turn_rad_s) {
 
 Odometry DeadReckoning::reported(TimePoint now) const {
   constexpr double kStepM = 0.001;  // 1 mm, and 1 mm/s: as a SIP tells it; ARCOS manual
-  // As a SIP tells a heading, 4096 to a turn; ARCOS manual
-  constexpr double kStepRad = 2.0 * std::numbers::pi / 4096.0;
   const auto stepped = [](double value, double step) { return std::round(value / step) * step; };
   Odometry odometry;
   odometry.stamp = now;
   odometry.pose = {stepped(pose_.x_m, kStepM), stepped(pose_.y_m, kStepM),
-                   stepped(pose_.heading_rad, kStepRad)};
+                   stepped(pose_.heading_rad, kHeadingCount_rad)};
   odometry.forward_m_s = stepped(way_scale_ * forward_m_s_, kStepM);
   odometry.turn_rad_s = stepped(turn_scale_ * turn_rad_s_, kStepM);
   return odometry;

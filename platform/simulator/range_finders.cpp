@@ -3,6 +3,8 @@
 #include <cmath>
 #include <limits>
 
+#include "platform/interface/seen_from_axle.hpp"
+
 namespace striate::simulator {
 namespace {
 
@@ -18,35 +20,22 @@ const double kCosSmooth = std::cos(radians(25.0));
 const double kCosRough = std::cos(radians(70.0));
 /// Each array's discs fire far from the one before, against echoes of the neighbour.
 constexpr std::array<std::size_t, 8> kOrder{0, 5, 1, 4, 2, 7, 3, 6};
-constexpr double kLaserForwardM = 0.021;  // mount of an LMS-200 on a P3-DX (ARIA's p3dx-sh.p)
 
-/// Standard deviation of an echo: 4 mm and 0.5 % of the way, as the speed of sound changes with
-/// some degrees of temperature (ours).
-constexpr double kEchoNoiseM = 0.004;
-/// Share of the way that an echo errs by, see kEchoNoiseM.
-constexpr double kEchoNoiseShare = 0.005;
-/// Nearest that a URG-04LX tells (DMIN of its PP reply, 20 mm).
-constexpr double kLaserNearestM = 0.02;
-
-RangeReading from_axle(const Pose2& sensor, double distance_m) {
-  const double reach = std::isfinite(distance_m) ? distance_m : 0.0;
-  const Point2 hit = to_outer(sensor, Point2{reach, 0.0});
-  if (!std::isfinite(distance_m)) return {sensor.heading_rad, kInfinity};
-  return {std::atan2(hit.y_m, hit.x_m), std::hypot(hit.x_m, hit.y_m)};
+/// The Pioneer's place, moved as far as the outline's ends are.
+Pose2 mounted(const Pose2& place, const RobotDescription& robot) {
+  const RobotDescription pioneer;
+  const double along =
+      place.x_m >= 0.0 ? robot.front_m / pioneer.front_m : robot.rear_m / pioneer.rear_m;
+  const double aside = robot.half_width_m / pioneer.half_width_m;
+  return {place.x_m * along, place.y_m * aside, place.heading_rad};
 }
 
 }  // namespace
 
-const std::array<Pose2, 16>& sonar_poses() {
-  constexpr auto pose = [](double x_mm, double y_mm, double deg) {
-    return Pose2{x_mm / 1000.0, y_mm / 1000.0, radians(deg)};
-  };
-  static constexpr std::array<Pose2, 16> poses{
-      pose(69, 136, 90),     pose(114, 119, 50),     pose(148, 78, 30),     pose(166, 27, 10),
-      pose(166, -27, -10),   pose(148, -78, -30),    pose(114, -119, -50),  pose(69, -136, -90),
-      pose(-157, -136, -90), pose(-203, -119, -130), pose(-237, -78, -150), pose(-255, -27, -170),
-      pose(-255, 27, 170),   pose(-237, 78, 150),    pose(-203, 119, 130),  pose(-157, 136, 90)};
-  return poses;
+std::array<Pose2, kSonarDiscs> sonar_mounts(const RobotDescription& robot) {
+  std::array<Pose2, kSonarDiscs> mounts;
+  for (std::size_t i = 0; i < kSonarDiscs; ++i) mounts[i] = mounted(sonar_disc(i), robot);
+  return mounts;
 }
 
 std::array<std::size_t, 2> discs_fired_at(TimePoint stamp) {
@@ -55,13 +44,13 @@ std::array<std::size_t, 2> discs_fired_at(TimePoint stamp) {
   return {disc, 8 + disc};
 }
 
-Pose2 laser_mount() {
-  return {kLaserForwardM, 0.0, 0.0};
+Pose2 laser_mount(const RobotDescription& robot) {
+  return mounted({kLaserForward_m, 0.0, 0.0}, robot);
 }
 
-Sonar::Sonar(std::uint64_t seed, const SensorSettings& settings)
-    : random_(seed, Purpose::sonar), settings_(settings) {
-  for (const Pose2& pose : sonar_poses()) scan_.readings.push_back(from_axle(pose, kInfinity));
+Sonar::Sonar(std::uint64_t seed, const SensorSettings& settings, const RobotDescription& robot)
+    : random_(seed, Purpose::sonar), settings_(settings), mounts_(sonar_mounts(robot)) {
+  for (const Pose2& pose : mounts_) scan_.readings.push_back(seen_from_axle(pose, kInfinity));
 }
 
 void Sonar::step(double now_s, const Physics& physics) {
@@ -75,7 +64,7 @@ void Sonar::step(double now_s, const Physics& physics) {
 }
 
 void Sonar::fire(std::size_t disc, const Physics& physics) {
-  const Pose2& pose = sonar_poses()[disc];
+  const Pose2& pose = mounts_[disc];
   const Pose2 outer = to_outer(physics.robot(), pose);
   double nearest = kInfinity;
   for (int i = 0; i < kRaysPerBeam; ++i) {
@@ -89,15 +78,14 @@ void Sonar::fire(std::size_t disc, const Physics& physics) {
     nearest += (kEchoNoiseM + kEchoNoiseShare * nearest) * random_.normal(16 * fired_ + disc);
     nearest = std::max(nearest, kSonarNearestM);
   }
-  scan_.readings[disc] = from_axle(pose, nearest);
+  scan_.readings[disc] = seen_from_axle(pose, nearest);
 }
 
 RangeScan Laser::sweep(TimePoint now, const Physics& physics) {
   RangeScan scan;
   scan.stamp = now;
   scan.readings.reserve(181);
-  const Pose2 mount = laser_mount();
-  const Pose2 outer = to_outer(physics.robot(), mount);
+  const Pose2 outer = to_outer(physics.robot(), mount_);
   for (int degree = -90; degree <= 90; ++degree, ++rays_) {
     const double bearing = radians(degree);
     double distance =
@@ -107,7 +95,7 @@ RangeScan Laser::sweep(TimePoint now, const Physics& physics) {
       distance =
           std::max(kLaserNearestM, distance + settings_.laser_noise_m * random_.normal(rays_));
     }
-    scan.readings.push_back(from_axle({mount.x_m, mount.y_m, bearing}, distance));
+    scan.readings.push_back(seen_from_axle({mount_.x_m, mount_.y_m, bearing}, distance));
   }
   return scan;
 }

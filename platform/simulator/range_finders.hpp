@@ -2,28 +2,30 @@
 
 #include <array>
 
-#include "platform/interface/senses.hpp"
+#include "base/pioneer_devices.hpp"
+#include "platform/interface/robot.hpp"
 #include "platform/simulator/physics.hpp"
 #include "platform/simulator/random.hpp"
 #include "platform/simulator/simulator_settings.hpp"
 
 namespace striate::simulator {
 
-/// Where the Pioneer's sixteen discs sit and look, from the axle.
-[[nodiscard]] const std::array<Pose2, 16>& sonar_poses();
+/// Where the sixteen discs sit and look, from the axle: as on the Pioneer, and on a body of another
+/// outline as near to its rim.
+[[nodiscard]] std::array<Pose2, kSonarDiscs> sonar_mounts(const RobotDescription& robot);
 
 /// The disc of each array that fired last, for a scan that carries this stamp.
 [[nodiscard]] std::array<std::size_t, 2> discs_fired_at(TimePoint stamp);
 
 /// Where the laser sits, from the axle.
-[[nodiscard]] Pose2 laser_mount();
+[[nodiscard]] Pose2 laser_mount(const RobotDescription& robot);
 
 /// Two arrays of eight discs. In each array one disc fires every 40 ms, so that a disc is 320 ms
 /// old when its turn comes again. An echo comes from the nearest thing in the beam that throws
 /// sound back: a smooth wall does so only where it stands nearly square to the beam.
 class Sonar {
  public:
-  Sonar(std::uint64_t seed, const SensorSettings& settings);
+  Sonar(std::uint64_t seed, const SensorSettings& settings, const RobotDescription& robot = {});
   /// Fires the discs that are due by `now_s`.
   void step(double now_s, const Physics& physics);
   /// The newest echo of every disc, seen from the axle; stamped with the newest firing.
@@ -33,6 +35,7 @@ class Sonar {
   void fire(std::size_t disc, const Physics& physics);
   Random random_;
   SensorSettings settings_;
+  std::array<Pose2, kSonarDiscs> mounts_;
   RangeScan scan_;
   std::uint64_t fired_ = 0;
 };
@@ -40,14 +43,15 @@ class Sonar {
 /// A laser scanner at the Pioneer's usual place: 181 rays over the front half circle.
 class Laser {
  public:
-  Laser(std::uint64_t seed, const SensorSettings& settings)
-      : random_(seed, Purpose::laser), settings_(settings) {}
+  Laser(std::uint64_t seed, const SensorSettings& settings, const RobotDescription& robot = {})
+      : random_(seed, Purpose::laser), settings_(settings), mount_(laser_mount(robot)) {}
   /// A whole sweep at this moment.
   [[nodiscard]] RangeScan sweep(TimePoint now, const Physics& physics);
 
  private:
   Random random_;
   SensorSettings settings_;
+  Pose2 mount_;
   std::uint64_t rays_ = 0;
 };
 

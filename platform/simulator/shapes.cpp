@@ -66,19 +66,18 @@ double squared_between_outlines_m2(const std::vector<Point2>& a, const std::vect
 }  // namespace
 
 ConvexShape robot_footprint(const RobotDescription& robot) {
-  // The octagon's diagonal sides are 0.12 m long, so each corner is cut by 0.12 / sqrt(2).
-  constexpr double kCutM = 0.12 / std::numbers::sqrt2;
+  const double cut = robot.corner_m / std::numbers::sqrt2;
   const double f = robot.front_m;
   const double r = -robot.rear_m;
   const double w = robot.half_width_m;
-  return {{{f, -(w - kCutM)},
-           {f, w - kCutM},
-           {f - kCutM, w},
-           {r + kCutM, w},
-           {r, w - kCutM},
-           {r, -(w - kCutM)},
-           {r + kCutM, -w},
-           {f - kCutM, -w}},
+  return {{{f, -(w - cut)},
+           {f, w - cut},
+           {f - cut, w},
+           {r + cut, w},
+           {r, w - cut},
+           {r, -(w - cut)},
+           {r + cut, -w},
+           {f - cut, -w}},
           0.0};
 }
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "platform/interface/geometry.hpp"
+#include "base/geometry.hpp"
 #include "platform/interface/robot.hpp"
 
 /// Flat convex shapes and the exact distance between them: who stands where, and how near.
@@ -15,7 +15,7 @@ struct ConvexShape {
   double radius_m = 0.0;
 };
 
-/// The Pioneer's octagon seen from the middle of its axle; its corners are cut by 0.12 m.
+/// The body's octagon seen from the middle of its axle: a rectangle whose corners are cut.
 [[nodiscard]] ConvexShape robot_footprint(const RobotDescription& robot);
 
 [[nodiscard]] ConvexShape disc(Point2 middle, double radius_m);

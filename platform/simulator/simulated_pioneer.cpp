@@ -56,8 +56,8 @@ struct SimulatedPioneer::Parts {
         drive(robot, settings.base),
         turret(robot, settings.sensors.servo_speed_rad_s),
         odometry(seed, settings.sensors),
-        sonar(seed, settings.sensors),
-        laser(seed, settings.sensors),
+        sonar(seed, settings.sensors, robot),
+        laser(seed, settings.sensors, robot),
         camera(seed, settings.sensors, settings.faults),
         judge(world_without(world_in, late.absent()), plan, robot, settings.judge),
         command_loss(seed, Purpose::command_loss) {}

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/limits.hpp"
 #include "config/settings.hpp"
 
 namespace striate::simulator {
@@ -7,11 +8,12 @@ namespace striate::simulator {
 /// How the base moves, and what the body's own watchdog does.
 struct BaseSettings {
   double command_latency_s = 0.06;  ///< from send() to the wheels
-  double watchdog_s = 0.5;          ///< without a command for this long the wheels stop
-  double stall_after_s = 0.2;       ///< of pushing against something
-  double start_offset_m = 0.03;     ///< deviation of the true start from the world's, each axis
+  double watchdog_s =  ///< without a command for this long the wheels stop
+      to_seconds(kCommandLease);  ///< without a command for this long the wheels stop
+  double stall_after_s = 0.2;  ///< of pushing against something
+  double start_offset_m = 0.03;  ///< deviation of the true start from the world's, each axis
   double start_turn_rad = 0.035;  ///< 2 deg, deviation of the first heading: placed by hand (ours)
-  double battery_start_v = 12.7;  ///< full lead batteries at rest, 2.12 V a cell
+  double battery_start_v = kFullBattery_v;  ///< full lead batteries at rest, 2.12 V a cell
   double battery_drop_v_per_h = 0.6;  ///< standing; driving takes as much again per 300 m
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/pioneer_devices.hpp"
 #include "platform/interface/robot.hpp"
 
 namespace striate::simulator {
@@ -19,12 +20,10 @@ class Turret {
   }
   [[nodiscard]] const HeadPose& true_pose() const { return pose_; }
 
-  /// As the servos report it: in steps of 300 deg / 1023 (Dynamixel AX-12).
+  /// As the servos report it: in steps of a Dynamixel AX-12.
   [[nodiscard]] HeadPose reported() const {
-    /// AX-12A control table: 0 .. 1023 is 0 .. 300 deg
-    constexpr double kStepRad = radians(300.0) / 1023.0;
-    return {std::round(pose_.pan_rad / kStepRad) * kStepRad,
-            std::round(pose_.tilt_rad / kStepRad) * kStepRad};
+    return {std::round(pose_.pan_rad / kServoStep_rad) * kServoStep_rad,
+            std::round(pose_.tilt_rad / kServoStep_rad) * kServoStep_rad};
   }
 
  private:

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/stopping_speed.hpp"
 #include "platform/simulator/obstacle_shapes.hpp"
 
 namespace striate::simulator {
@@ -65,8 +66,7 @@ Pose2 predicted(const Surroundings& around, double after_s) {
 
 double stopping_way_m(double forward_m_s, const RobotDescription& robot) {
   constexpr double kReactionS = 0.3;  // 85 ms picture, 100 ms cycle, 60 ms motors, and a little
-  const double v = std::abs(forward_m_s);
-  return v * kReactionS + v * v / (2.0 * robot.max_acceleration_m_s2);
+  return stopping_way(forward_m_s, robot.max_acceleration_m_s2, kReactionS);
 }
 
 void Walker::appear(Pose2 at, int look) {

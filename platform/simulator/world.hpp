@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "platform/interface/geometry.hpp"
+#include "base/geometry.hpp"
 
 /// What a world file says, in SI units and radians. x runs along the corridor's centre line, y to
 /// its left, the middle of the start wall is the origin. In a corridor with turns x goes on along

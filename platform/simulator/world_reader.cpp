@@ -16,12 +16,17 @@ using config::Mistakes;
 using config::Node;
 using config::Unit;
 
+/// A world is made for the default robot; a larger one may not fit in.
+constexpr RobotDescription kPioneer;
+
 /// The robot starts free of everything; `what` and `shape` name one thing that may be in the way.
 bool check_start_clear(WorldEntry& entry, const ConvexShape& robot, const std::string& what,
                        const ConvexShape& shape) {
   if (!entry.sound() || distance_m(robot, shape) > 0.0) return entry.sound();
   entry.add("at", fmt::format("the start overlaps {}", what),
-            "the robot reaches 0.21 m forward, 0.3 m back, and 0.22 m to either side");
+            fmt::format("the robot reaches {} forward, {} back, and {} to either side",
+                        metres(kPioneer.front_m), metres(kPioneer.rear_m),
+                        metres(kPioneer.half_width_m)));
   return false;
 }
 
@@ -43,7 +48,7 @@ void read_start(MapReader& root, World& world) {
   const FloorPlan plan = build_floor_plan(world);
   Pose2 pose = plan.at(world.start.x_m, world.start.y_m);
   pose.heading_rad += world.start.heading_rad;
-  const ConvexShape robot = moved(robot_footprint(RobotDescription{}), pose);
+  const ConvexShape robot = moved(robot_footprint(kPioneer), pose);
   for (const StaticShape& wall : wall_shapes(plan)) {
     check_start_clear(entry, robot, "a wall", wall.shape);
   }
@@ -65,7 +70,7 @@ void read_goal(MapReader& root, World& world) {
   entry.finish();
   if (!entry.sound()) return;
   entry.check_along("beyond", world.goal_beyond_m);
-  const double reachable = world.length_m - RobotDescription{}.front_m;
+  const double reachable = world.length_m - kPioneer.front_m;
   if (entry.sound() && world.goal_beyond_m <= world.start.x_m) {
     entry.add("beyond", fmt::format("the goal ({}) must lie beyond the start ({})",
                                     metres(world.goal_beyond_m), metres(world.start.x_m)));

@@ -1,13 +1,12 @@
 #pragma once
 
-#include <fmt/format.h>
-
-#include <array>
 #include <string_view>
+#include <utility>
 
+#include "base/format_text.hpp"
+#include "base/time.hpp"
 #include "behaviours/behaviour.hpp"
 #include "memory/short_term_memory.hpp"
-#include "platform/interface/time.hpp"
 
 namespace striate {
 
@@ -16,16 +15,13 @@ class Reason {
  public:
   template <class... Args>
   void set(fmt::format_string<Args...> text, Args&&... args) {
-    const auto end =
-        fmt::format_to_n(text_.data(), text_.size(), text, std::forward<Args>(args)...);
-    size_ = std::min(end.size, text_.size());
+    text_ = format_text<FixedText<240>>(text, std::forward<Args>(args)...);
   }
-  void clear() { size_ = 0; }
-  [[nodiscard]] std::string_view view() const { return {text_.data(), size_}; }
+  void clear() { text_.clear(); }
+  [[nodiscard]] std::string_view view() const { return text_.view(); }
 
  private:
-  std::array<char, 240> text_{};
-  std::size_t size_ = 0;
+  FixedText<240> text_;
 };
 
 /// One cycle of a task: what its nodes look at, and the one wish that they make together.

@@ -49,7 +49,7 @@ StoredView random_view(std::mt19937_64& random) {
       std::memcpy(one.data() + at, &word, 8);
     }
   }
-  for (StoredKeypoint& one : view.keypoints) one.x_px = static_cast<float>(random() % 200);
+  for (ViewKeypoint& one : view.keypoints) one.x_px = static_cast<float>(random() % 200);
   return view;
 }
 

@@ -1,7 +1,7 @@
 #include <sstream>
 
 #include "app/pfm.hpp"
-#include "config/user_error.hpp"
+#include "base/user_error.hpp"
 #include "tests/fuzz/fuzz_target.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -5,7 +5,7 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "app/read_picture.hpp"
-#include "config/user_error.hpp"
+#include "base/user_error.hpp"
 #include "tests/fuzz/fuzz_target.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -1,4 +1,4 @@
-#include "config/user_error.hpp"
+#include "base/user_error.hpp"
 #include "platform/replay/recording_reader.hpp"
 #include "tests/fuzz/fuzz_target.hpp"
 #include "tests/reference/recorded_cycles.hpp"
@@ -23,7 +23,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       replay::decode_cycle(rest, cycle);
     }
   } catch (const UserError&) {
-  } catch (const replay::BadBytes&) {
+  } catch (const BadBytes&) {
   }
   return 0;
 }

@@ -17,8 +17,6 @@
 /// the public data is at hand (STRIATE_SHARED_DATA/captures).
 namespace striate::reference {
 
-using pioneer::Bytes;
-
 /// "fa fb 03 00 00 00" as bytes.
 inline Bytes from_hex(const std::string& text) {
   std::istringstream words(text);

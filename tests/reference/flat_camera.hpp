@@ -19,14 +19,19 @@ struct CameraErrors {
 class Camera {
  public:
   static constexpr int kColumns = 160;
-  static constexpr double kFocal_px = 203.0;
-  static constexpr double kHeight_m = 1.20;
-  static constexpr double kHalfRows_rad = 0.2871;  ///< half of 33 degrees
-  static constexpr double kDisparityMetre = 24.4;
+  static constexpr double kBaseline_m = 0.12;
   static constexpr double kFloorFar_m = 4.6;
 
-  explicit Camera(std::uint64_t seed, const CameraErrors& errors = {})
-      : random_(seed ^ 0x5555ULL), errors_(errors) {}
+  /// Of a Pioneer by default: 203 px, 33 degrees upright, Z = 24.4 m / d.
+  explicit Camera(std::uint64_t seed, const CameraErrors& errors = {},
+                  const RobotDescription& robot = {})
+      : random_(seed ^ 0x5555ULL), errors_(errors), height_m_(robot.camera_height_m) {
+    const double wider =
+        std::tan(0.5 * robot.view_rad) / std::tan(0.5 * RobotDescription{}.view_rad);
+    focal_px_ = 203.0 / wider;
+    disparity_metre_ = 24.4 / wider;
+    half_rows_rad_ = wider == 1.0 ? 0.2871 : std::atan(wider * std::tan(0.2871));
+  }
 
   Percept look(const World& world, TimePoint stamp) {
     Percept percept;
@@ -34,7 +39,8 @@ class Camera {
     percept.valid = true;
     percept.light_level = 0.45;
     percept.noise_level = 1.0;
-    percept.disparity.focal_px = kFocal_px;
+    percept.disparity.focal_px = focal_px_;
+    percept.disparity.baseline_m = kBaseline_m;
     percept.columns.resize(kColumns);
     see_all(world, percept);
     group(percept);
@@ -57,7 +63,7 @@ class Camera {
     heights_m_.assign(kColumns, 0.0);
     for (double& n : node) n = errors_.disparity_px * random_.normal();
     for (int u = 0; u < kColumns; ++u) {
-      const double bearing = world.head().pan_rad + std::atan((79.5 - u) / kFocal_px);
+      const double bearing = world.head().pan_rad + std::atan((79.5 - u) / focal_px_);
       Column& column = percept.columns[static_cast<std::size_t>(u)];
       column.bearing_rad = bearing;
       const double t = (u % 8) / 8.0;
@@ -74,19 +80,19 @@ class Camera {
     cast(world, bearing);
     std::sort(hits_.begin(), hits_.end(),
               [](const Hit& a, const Hit& b) { return a.distance_m < b.distance_m; });
-    const double low = world.head().tilt_rad - kHalfRows_rad;
-    const double high = world.head().tilt_rad + kHalfRows_rad;
-    double floor_from_m = low < -0.01 ? kHeight_m / std::tan(-low) : 99.0;
-    double floor_to_m = std::min(kFloorFar_m, high < -0.01 ? kHeight_m / std::tan(-high) : 99.0);
+    const double low = world.head().tilt_rad - half_rows_rad_;
+    const double high = world.head().tilt_rad + half_rows_rad_;
+    double floor_from_m = low < -0.01 ? height_m_ / std::tan(-low) : 99.0;
+    double floor_to_m = std::min(kFloorFar_m, high < -0.01 ? height_m_ / std::tan(-high) : 99.0);
     for (const Hit& hit : hits_) {
-      const double seen_low = std::max(hit.bottom_m, kHeight_m + hit.distance_m * std::tan(low));
-      const double seen_high = std::min(hit.top_m, kHeight_m + hit.distance_m * std::tan(high));
-      const bool visible = (seen_high - seen_low) * kFocal_px / hit.distance_m > 4.0;
+      const double seen_low = std::max(hit.bottom_m, height_m_ + hit.distance_m * std::tan(low));
+      const double seen_high = std::min(hit.top_m, height_m_ + hit.distance_m * std::tan(high));
+      const bool visible = (seen_high - seen_low) * focal_px_ / hit.distance_m > 4.0;
       if (visible) {
         floor_to_m = std::min(floor_to_m, hit.distance_m - 0.05);
-        const double disparity = kDisparityMetre / hit.distance_m + error_px;
+        const double disparity = disparity_metre_ / hit.distance_m + error_px;
         if (!hit.blank && disparity > 2.5) {
-          column.obstacle_m = kDisparityMetre / disparity;
+          column.obstacle_m = disparity_metre_ / disparity;
           column.obstacle_confidence = 0.9;
           height_m = seen_high;
           floor_to_m = std::min(floor_to_m, column.obstacle_m - 0.1);
@@ -94,9 +100,9 @@ class Camera {
         break;
       }
       // Out of view, but it hides floor behind it.
-      if (hit.top_m < kHeight_m) {
+      if (hit.top_m < height_m_) {
         floor_from_m =
-            std::max(floor_from_m, hit.distance_m * kHeight_m / (kHeight_m - hit.top_m) + 0.05);
+            std::max(floor_from_m, hit.distance_m * height_m_ / (height_m_ - hit.top_m) + 0.05);
       } else {
         floor_to_m = std::min(floor_to_m, hit.distance_m);
       }
@@ -219,6 +225,10 @@ class Camera {
 
   Random random_;
   CameraErrors errors_;
+  double height_m_;
+  double focal_px_ = 0.0;
+  double disparity_metre_ = 0.0;  ///< Z = this / disparity
+  double half_rows_rad_ = 0.0;
   std::vector<Hit> hits_;
   std::vector<double> heights_m_;
 };

@@ -27,8 +27,13 @@ struct RunResult {
 
 class Loop {
  public:
-  Loop(const Layout& layout, std::uint64_t seed, const CameraErrors& errors = {})
-      : world(layout, robot, seed), camera(seed, errors), memory({}, robot), limiter({}, robot) {}
+  Loop(const Layout& layout, std::uint64_t seed, const CameraErrors& errors = {},
+       const RobotDescription& body = {})
+      : robot(body),
+        world(layout, robot, seed),
+        camera(seed, errors, robot),
+        memory({}, robot),
+        limiter({}, robot) {}
 
   /// One cycle of 100 ms. Pictures arrive one cycle after they were taken.
   Wish cycle(Behaviour& behaviour, const char* name) {

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <vector>
 
-#include "platform/interface/geometry.hpp"
+#include "base/geometry.hpp"
 #include "platform/interface/robot.hpp"
 
 /// A flat test world: walls, things and people on a plane, and a differential drive among them.

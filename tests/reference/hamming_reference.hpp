@@ -1,48 +1,56 @@
 #pragma once
 
-#include <bit>
+#include <algorithm>
+#include <cstdint>
 #include <span>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 #include "perception/matching/hamming_search.hpp"
 
-/// Searching descriptors as one would write it down: two loops and a population count.
+/// Searching descriptors as the definitions say it, bit by bit and by sorting: nothing here is
+/// shaped like the code that it judges.
 namespace striate::reference {
 
+/// The definition in percept.hpp: bit b is words[b / 64] >> (b % 64) & 1.
+inline bool bit_of(const Descriptor& descriptor, std::size_t b) {
+  return (descriptor.words.at(b / 64) >> (b % 64) & 1U) != 0;
+}
+
 inline std::uint32_t distance_bits(const Descriptor& a, const Descriptor& b) {
-  int bits = 0;
-  for (std::size_t w = 0; w < 4; ++w) bits += std::popcount(a.words[w] ^ b.words[w]);
-  return static_cast<std::uint32_t>(bits);
+  std::uint32_t differ = 0;
+  for (std::size_t bit = 0; bit < 256; ++bit) differ += bit_of(a, bit) != bit_of(b, bit) ? 1 : 0;
+  return differ;
 }
 
 inline std::vector<Match> matches_below(std::span<const Descriptor> queries,
                                         std::span<const Descriptor> stored,
                                         std::uint32_t limit_bits) {
-  std::vector<Match> result;
-  for (std::uint32_t q = 0; q < queries.size(); ++q) {
-    for (std::uint32_t s = 0; s < stored.size(); ++s) {
-      const std::uint32_t bits = distance_bits(queries[q], stored[s]);
-      if (bits < limit_bits) result.push_back({q, s, bits});
-    }
+  std::vector<Match> all;
+  for (std::size_t pair = 0; pair < queries.size() * stored.size(); ++pair) {
+    const std::size_t q = pair / stored.size();
+    const std::size_t s = pair % stored.size();
+    all.push_back({static_cast<std::uint32_t>(q), static_cast<std::uint32_t>(s),
+                   distance_bits(queries[q], stored[s])});
   }
-  return result;
+  std::erase_if(all, [&](const Match& match) { return match.distance_bits >= limit_bits; });
+  return all;
 }
 
+/// Of those at the same distance, the one stored first is nearer.
 inline std::vector<NearestTwo> nearest_two(std::span<const Descriptor> queries,
                                            std::span<const Descriptor> stored,
                                            std::uint32_t limit_bits) {
   std::vector<NearestTwo> result(queries.size());
-  for (const Match& match : matches_below(queries, stored, limit_bits)) {
-    NearestTwo& best = result[match.query];
-    if (match.distance_bits < best.first_bits) {
-      best.second = best.first;
-      best.second_bits = best.first_bits;
-      best.first = match.stored;
-      best.first_bits = match.distance_bits;
-    } else if (match.distance_bits < best.second_bits) {
-      best.second = match.stored;
-      best.second_bits = match.distance_bits;
+  for (std::size_t q = 0; q < queries.size(); ++q) {
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> ranked;  // bits, stored
+    for (const Match& match : matches_below(queries.subspan(q, 1), stored, limit_bits)) {
+      ranked.emplace_back(match.distance_bits, match.stored);
     }
+    std::sort(ranked.begin(), ranked.end());
+    if (!ranked.empty()) std::tie(result[q].first_bits, result[q].first) = ranked[0];
+    if (ranked.size() > 1) std::tie(result[q].second_bits, result[q].second) = ranked[1];
   }
   return result;
 }

@@ -27,6 +27,7 @@ inline Percept blank_percept(int milliseconds, double middle_rad = 0.0) {
   percept.valid = true;
   percept.light_level = 0.5;
   percept.disparity.focal_px = 203.0;
+  percept.disparity.baseline_m = 0.12;
   percept.columns.resize(161);
   for (int u = 0; u <= 160; ++u) {
     percept.columns[static_cast<std::size_t>(u)].bearing_rad =

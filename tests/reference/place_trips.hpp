@@ -157,6 +157,7 @@ class TripDriver {
       }
       sighting.bearing_rad = bearing_rad + trip().bearing_error_rad * normal();
       sighting.distance_m = trip().disparity_metre_px / disparity_px;
+      sighting.disparity_metre_px = trip().disparity_metre_px;
       const Look look = memory.see(sighting, picture_odometry);
       taken += look == Look::taken || look == Look::placed ? 1 : 0;
       rejected += look == Look::rejected ? 1 : 0;

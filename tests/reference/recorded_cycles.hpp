@@ -82,7 +82,7 @@ inline std::string a_recording(std::uint64_t cycles, bool closed = true) {
   }
   if (closed) {
     payload.clear();
-    replay::ByteWriter(payload).put(std::uint64_t{7});
+    ByteWriter(payload).put(std::uint64_t{7});
     replay::append_chunk(bytes, replay::Chunk::end, payload);
   }
   return {bytes.begin(), bytes.end()};

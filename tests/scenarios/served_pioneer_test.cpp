@@ -191,7 +191,7 @@ class BareRobot {
     for (const Command id : {Command::sync0, Command::sync1, Command::sync2}) say(command(id));
     say(command(Command::open, 1));
   }
-  void say(const pioneer::Bytes& bytes) { robot.firmware().receive(bytes, robot.now()); }
+  void say(const Bytes& bytes) { robot.firmware().receive(bytes, robot.now()); }
   std::vector<pioneer::arcos::Packet> run(double seconds) {
     std::vector<pioneer::arcos::Packet> packets;
     for (double t = 0.0; t < seconds - 1e-9; t += 0.01) robot.step();
@@ -245,7 +245,7 @@ TEST(ServedPioneer, SendsALaserInBandWhereItIsAskedFor) {
 }
 
 TEST(FaultyWay, LosesSpoilsDelaysAndFallsSilentAsItIsAsked) {
-  const pioneer::Bytes chunk(100, 0x55);
+  const Bytes chunk(100, 0x55);
   FaultyWay lossy({.loss = 0.3}, 1);
   std::size_t came = 0;
   for (int i = 0; i < 1000; ++i) lossy.put(chunk, 0.0);
@@ -254,7 +254,7 @@ TEST(FaultyWay, LosesSpoilsDelaysAndFallsSilentAsItIsAsked) {
 
   FaultyWay spoiled({.corruption = 0.1}, 1);
   for (int i = 0; i < 100; ++i) spoiled.put(chunk, 0.0);
-  const pioneer::Bytes bytes = spoiled.take(0.0);
+  const Bytes bytes = spoiled.take(0.0);
   EXPECT_NEAR(static_cast<double>(bytes.size() - std::count(bytes.begin(), bytes.end(), 0x55)),
               1000.0, 120.0);
 

@@ -5,7 +5,7 @@ namespace {
 
 struct Read {
   ByteReader& reader;
-  void operator()(std::string& field) { field = reader.text(); }
+  void operator()(std::string& field) { field = reader.take_c_string(); }
   void operator()(std::uint8_t& field) { field = reader.u8(); }
   void operator()(std::uint16_t& field) { field = reader.u16(); }
   void operator()(std::int16_t& field) { field = reader.i16(); }
@@ -13,7 +13,7 @@ struct Read {
 
 struct Write {
   ByteWriter& writer;
-  void operator()(const std::string& field) { writer.text(field); }
+  void operator()(const std::string& field) { writer.put_c_string(field); }
   void operator()(std::uint8_t field) { writer.u8(field); }
   void operator()(std::uint16_t field) { writer.u16(field); }
   void operator()(std::int16_t field) { writer.i16(field); }
@@ -40,11 +40,11 @@ void each_field(Each each, Config& c) {
 
 std::optional<ConfigPac> read_config_pac(const Packet& packet) {
   if (packet.id != ConfigPac::kId) return std::nullopt;
-  ByteReader names(packet.payload);
-  for (int i = 0; i < 3; ++i) (void)names.text();
+  ByteReader names(packet.payload, ByteReader::Beyond::zero);
+  for (int i = 0; i < 3; ++i) (void)names.take_c_string();
   if (names.ran_out()) return std::nullopt;
   ConfigPac config;
-  ByteReader reader(packet.payload);
+  ByteReader reader(packet.payload, ByteReader::Beyond::zero);
   each_field(Read{reader}, config);
   return config;
 }

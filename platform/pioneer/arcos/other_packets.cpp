@@ -6,11 +6,11 @@ namespace striate::pioneer::arcos {
 
 std::optional<RobotNames> read_names(const Packet& packet) {
   if (packet.id != 2) return std::nullopt;
-  ByteReader reader(packet.payload);
+  ByteReader reader(packet.payload, ByteReader::Beyond::zero);
   RobotNames names;
-  names.name = reader.text();
-  names.kind = reader.text();
-  names.subclass = reader.text();
+  names.name = reader.take_c_string();
+  names.kind = reader.take_c_string();
+  names.subclass = reader.take_c_string();
   // An echo of SYNC2 without names is none; a missing last NUL is forgiven.
   if (names.subclass.empty()) return std::nullopt;
   return names;
@@ -18,15 +18,15 @@ std::optional<RobotNames> read_names(const Packet& packet) {
 
 Packet write_names(const RobotNames& names) {
   ByteWriter writer;
-  writer.text(names.name);
-  writer.text(names.kind);
-  writer.text(names.subclass);
+  writer.put_c_string(names.name);
+  writer.put_c_string(names.kind);
+  writer.put_c_string(names.subclass);
   return {2, writer.bytes()};
 }
 
 std::optional<Joystick> read_joystick(const Packet& packet) {
   if (packet.id != Joystick::kId) return std::nullopt;
-  ByteReader reader(packet.payload);
+  ByteReader reader(packet.payload, ByteReader::Beyond::zero);
   Joystick joystick;
   joystick.button1 = reader.u8() != 0;
   joystick.button2 = reader.u8() != 0;
@@ -56,7 +56,7 @@ Packet write_encoders(const Encoders& encoders) {
 
 std::optional<SimStat> read_sim_stat(const Packet& packet) {
   if (packet.id != SimStat::kId) return std::nullopt;
-  ByteReader reader(packet.payload);
+  ByteReader reader(packet.payload, ByteReader::Beyond::zero);
   (void)reader.u16();  // two NULs
   (void)reader.u32();  // flags
   (void)reader.u16();  // intervals: simulated, real, last
@@ -87,7 +87,7 @@ Packet write_sim_stat(const SimStat& stat) {
 
 std::optional<SimLaser> read_sim_laser(const Packet& packet) {
   if (packet.id != SimLaser::kId) return std::nullopt;
-  ByteReader reader(packet.payload);
+  ByteReader reader(packet.payload, ByteReader::Beyond::zero);
   SimLaser laser;
   laser.total = reader.u16();
   laser.first = reader.u16();

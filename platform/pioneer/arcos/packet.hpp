@@ -2,7 +2,8 @@
 
 #include <cstdint>
 
-#include "platform/pioneer/arcos/bytes.hpp"
+#include "base/bytes.hpp"
+#include "base/time.hpp"
 
 /// ARCOS, the Pioneer's serial protocol (also P2OS, AROS): FA FB | N | id | payload | checksum.
 /// N counts what follows it: 1 + payload + 2. Payload numbers are little-endian, the checksum is
@@ -10,6 +11,9 @@
 namespace striate::pioneer::arcos {
 
 inline constexpr std::size_t kMostPayload = 252;  ///< N is one unsigned byte
+
+/// The longest packet takes 269 ms at 9600 baud; a count that promises more never comes true.
+inline constexpr Duration kLongestPacket = std::chrono::milliseconds(280);
 
 struct Packet {
   std::uint8_t id = 0;

@@ -31,7 +31,7 @@ bool is_sip(const Packet& packet) {
 
 std::optional<Sip> read_sip(const Packet& packet) {
   if (!is_sip(packet) || packet.payload.size() < kHead) return std::nullopt;
-  ByteReader reader(packet.payload);
+  ByteReader reader(packet.payload, ByteReader::Beyond::zero);
   Sip sip;
   sip.type = packet.id;
   sip.x = reader.u16() & 0x7fffU;

@@ -1,4 +1,4 @@
-#include "config/user_error.hpp"
+#include "base/user_error.hpp"
 #include "platform/pioneer/camera/bumblebee_picture.hpp"
 #include "platform/pioneer/camera/frame_source.hpp"
 

@@ -41,7 +41,7 @@ struct Header {
 };
 
 Header read_header(ByteView bytes) {
-  ByteReader reader(bytes.subspan(kMagic.size()));
+  ByteReader reader(bytes.subspan(kMagic.size()), ByteReader::Beyond::zero);
   Header header;
   header.number = reader.u32();
   (void)reader.u32();

@@ -2,8 +2,8 @@
 
 #include <optional>
 
+#include "base/bytes.hpp"
 #include "platform/interface/senses.hpp"
-#include "platform/pioneer/arcos/bytes.hpp"
 
 /// Stereo pictures over TCP, one packet a pair, little-endian, nothing goes the other way:
 ///

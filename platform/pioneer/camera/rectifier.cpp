@@ -5,7 +5,7 @@
 #include <opencv2/calib3d.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "config/user_error.hpp"
+#include "base/user_error.hpp"
 
 namespace striate::pioneer {
 

@@ -5,7 +5,7 @@
 #include <opencv2/core.hpp>
 #include <stdexcept>
 
-#include "config/user_error.hpp"
+#include "base/user_error.hpp"
 
 namespace striate::pioneer {
 namespace {

@@ -1,6 +1,6 @@
 #include "platform/pioneer/camera/stereo_camera.hpp"
 
-#include "config/user_error.hpp"
+#include "base/user_error.hpp"
 #include "platform/pioneer/camera/grabbing_camera.hpp"
 #include "platform/pioneer/camera/network_camera.hpp"
 #include "platform/pioneer/transport.hpp"

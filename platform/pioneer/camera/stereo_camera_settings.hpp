@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "base/pioneer_devices.hpp"
 #include "config/settings.hpp"
 #include "platform/interface/robot.hpp"
 
@@ -11,13 +12,14 @@ namespace striate::pioneer {
 struct StereoCameraSettings {
   double height_m = RobotDescription{}.camera_height_m;
   double forward_m = RobotDescription{}.camera_forward_m;
+  double resting_tilt_rad = RobotDescription{}.resting_tilt_rad;
   std::string calibration;
   bool swap = false;
   int width_px = 320;  ///< twice the stereo's working width of 160
   /// Half of the longest shutter (33 ms) and a picture's transfer at 20 Hz (ours)
   double latency_s = 0.05;
-  double field_rad = radians(43.0);  ///< Bumblebee-2: 6 mm lens, 1024 pixels of 4.65 um
-  double baseline_m = 0.12;          ///< Bumblebee-2's; paper
+  double field_rad = RobotDescription{}.view_rad;  ///< Bumblebee-2: 6 mm lens, 1024 pixels of 4.65 um
+  double baseline_m = kEyesApart_m;  ///< Bumblebee-2's; paper
 };
 
 template <class V>
@@ -25,6 +27,8 @@ void visit(V& v, StereoCameraSettings& s) {
   using config::Unit;
   v.number("height", s.height_m, Unit::length, {0.1, 2.5}, "of the cameras above the floor");
   v.number("forward", s.forward_m, Unit::length, {-0.5, 0.5}, "of the pan axis before the axle");
+  v.number("resting_tilt", s.resting_tilt_rad, Unit::angle, {-0.6, 0.6},
+           "of the head while nothing else is wanted, up positive");
   v.text("calibration", s.calibration,
          "file of 'striate calibrate'; without it the pictures must be rectified already");
   v.flag("swap", s.swap, "the camera gives right and left the other way round");

@@ -5,7 +5,7 @@
 #include <thread>
 #include <vector>
 
-#include "config/user_error.hpp"
+#include "base/user_error.hpp"
 #include "platform/pioneer/camera/frame_source.hpp"
 
 namespace striate::pioneer {

@@ -11,12 +11,9 @@ using arcos::SipFlag;
 
 namespace {
 
-/// The longest packet takes 269 ms at 9600 baud (258 bytes of 10 bits)
-constexpr Duration kLongestPacket = std::chrono::milliseconds(280);
 constexpr std::uint16_t kNoEchoMm = 5000;  // what a real P3-DX tells where no echo returned
-constexpr double kTicksPerMm = 128.0;      // encoder ticks; TicksMM of a real P3-DX's CONFIGpac
-constexpr double kStandsMm_s = 5.0;        // slower than this, the SIP says that it stands (ours)
-/// Two turns of 16 discs: what waits longer has been fired again
+constexpr double kTicksPerMm = 128.0;  // encoder ticks; TicksMM of a real P3-DX's CONFIGpac
+constexpr double kStandsMm_s = 5.0;  // slower than this, the SIP says that it stands (ours)
 constexpr std::size_t kMostFreshReadings = 32;
 
 const RobotModel& model_of(const std::string& subclass) {
@@ -234,7 +231,7 @@ void ArcosFirmware::drive_by_joystick() {
 void ArcosFirmware::step(TimePoint now, Duration step, const FirmwareSenses& senses) {
   now_ = now;
   senses_ = senses;
-  if (incomplete_ && now - incomplete_since_ > kLongestPacket) {
+  if (incomplete_ && now - incomplete_since_ > arcos::kLongestPacket) {
     stream_.give_up_waiting();
     incomplete_since_ = now;
     receive({}, now);

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "platform/interface/time.hpp"
+#include "base/time.hpp"
 #include "platform/pioneer/laser/lms200.hpp"
 
 namespace striate::pioneer {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/pioneer_devices.hpp"
+
 namespace striate::pioneer {
 
 using dynamixel::Error;
@@ -14,9 +16,6 @@ namespace {
 
 /// AX-12A data sheet: 59 rpm without load
 constexpr double kFastestRad_s = 59.0 * 2.0 * std::numbers::pi / 60.0;
-/// AX-12A control table, moving speed: 0.111 rpm a step
-constexpr double kTickRad_s = 0.111 * 2.0 * std::numbers::pi / 60.0;
-/// Blocked for so long it gives up, as an AX-12A does after some seconds (ours)
 constexpr double kOverloadAfter_s = 2.0;
 constexpr double kThereRad = 0.003;  // half a step of the position, 0.293 deg
 
@@ -67,7 +66,8 @@ void ServoModel::step(double dt_s) {
   const double goal_rad = dynamixel::angle_of(word(Register::goal_position));
   const double left_rad = goal_rad - angle_rad_;
   const std::uint16_t ticks = word(Register::moving_speed);
-  const double speed = ticks == 0 ? kFastestRad_s : std::min(ticks * kTickRad_s, kFastestRad_s);
+  const double speed =
+      ticks == 0 ? kFastestRad_s : std::min(ticks * kServoSpeedStep_rad_s, kFastestRad_s);
   const bool wants = powered && std::abs(left_rad) > kThereRad;
   const double way = wants && !blocked ? std::clamp(left_rad, -speed * dt_s, speed * dt_s) : 0.0;
   angle_rad_ += way;

@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-#include "platform/interface/time.hpp"
+#include "base/time.hpp"
 #include "platform/pioneer/turret/dynamixel.hpp"
 
 namespace striate::pioneer {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "platform/interface/time.hpp"
+#include "base/time.hpp"
 #include "platform/pioneer/laser/scip.hpp"
 
 namespace striate::pioneer {

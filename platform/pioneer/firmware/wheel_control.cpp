@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/stopping_speed.hpp"
+
 namespace striate::pioneer {
 namespace {
 
@@ -22,7 +24,7 @@ double ramp(double now, double wanted, double up, double down) {
 
 /// The fastest from which it still stands after `way`.
 double towards(double way, double fastest, double deceleration) {
-  return std::copysign(std::min(fastest, std::sqrt(2.0 * deceleration * std::abs(way))), way);
+  return std::copysign(std::min(fastest, stopping_speed(std::abs(way), deceleration, 0.0)), way);
 }
 
 }  // namespace

@@ -2,8 +2,8 @@
 
 #include <utility>
 
+#include "base/bytes.hpp"
 #include "platform/interface/senses.hpp"
-#include "platform/pioneer/arcos/bytes.hpp"
 #include "platform/pioneer/laser/laser_settings.hpp"
 
 namespace striate::pioneer {

@@ -134,7 +134,7 @@ Bytes set_variant(int fov_deg, int increment_cdeg) {
 
 std::optional<Scan> read_scan(const Telegram& telegram) {
   if (telegram.data.empty() || telegram.data[0] != kScan) return std::nullopt;
-  ByteReader reader(ByteView(telegram.data).subspan(1));
+  ByteReader reader(ByteView(telegram.data).subspan(1), ByteReader::Beyond::zero);
   const unsigned head = reader.u16();
   const std::size_t count = head & 0x3ffU;
   const unsigned unit = head >> 14U;

@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "platform/pioneer/arcos/bytes.hpp"
+#include "base/bytes.hpp"
 
 /// The SICK LMS-200's telegrams: 02 | address | length | data | CRC, little-endian; before a reply
 /// one byte says 06 (taken) or 15 (not taken).

@@ -1,6 +1,6 @@
 #include "platform/pioneer/laser/lms_driver.hpp"
 
-#include "platform/pioneer/laser/axle_ray.hpp"
+#include "platform/interface/seen_from_axle.hpp"
 
 namespace striate::pioneer {
 namespace {
@@ -66,7 +66,8 @@ void LmsDriver::take_scan(const lms200::Telegram& telegram, TimePoint now) {
   const auto last = static_cast<double>(scan->ranges_m.size() - 1);
   for (std::size_t i = 0; i < scan->ranges_m.size(); ++i) {
     const double bearing_rad = radians(-90.0 + 180.0 * static_cast<double>(i) / last);
-    seen.readings.push_back(axle_ray(talk_.settings().forward_m, bearing_rad, scan->ranges_m[i]));
+    seen.readings.push_back(
+        seen_from_axle({talk_.settings().forward_m, 0.0, bearing_rad}, scan->ranges_m[i]));
   }
 }
 

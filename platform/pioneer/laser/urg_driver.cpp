@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "platform/pioneer/laser/axle_ray.hpp"
+#include "platform/interface/seen_from_axle.hpp"
 
 namespace striate::pioneer {
 
@@ -63,7 +63,8 @@ void UrgDriver::take_scan(const scip::Reply& reply, TimePoint now) {
   const Duration turn = from_seconds(60.0 / std::max(1, parameters_.rpm));
   RangeScan& seen = talk_.begin_scan(now - turn, now);
   for (const scip::Ray& ray : scan->rays) {
-    seen.readings.push_back(axle_ray(talk_.settings().forward_m, ray.bearing_rad, ray.distance_m));
+    seen.readings.push_back(
+        seen_from_axle({talk_.settings().forward_m, 0.0, ray.bearing_rad}, ray.distance_m));
   }
 }
 

@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <stdexcept>
+
+#include "base/pioneer_devices.hpp"
 
 namespace striate::pioneer::dynamixel {
 namespace {
@@ -11,11 +12,7 @@ namespace {
 constexpr std::uint8_t kStart = 0xff;  // first two bytes of a packet; Dynamixel protocol 1.0
 /// Length, parameters + 2, is a byte, and 255 and 254 are ids; Dynamixel protocol 1.0
 constexpr std::size_t kMostParameters = 250;
-/// AX-12A control table: 0 .. 1023 is 0 .. 300 deg
-constexpr double kTickRad = 300.0 / 1023.0 * std::numbers::pi / 180.0;
-/// AX-12A control table, moving speed: 0.111 rpm a step
-constexpr double kSpeedTickRad_s = 0.111 * 2.0 * std::numbers::pi / 60.0;
-constexpr double kMiddle = 512.0;      // AX-12A control table: tick that looks straight ahead
+constexpr double kMiddle = 512.0;  // AX-12A control table: tick that looks straight ahead
 constexpr double kMostTicks = 1023.0;  // AX-12A control table: ten bits of position or speed
 
 std::uint8_t sum_of(ByteView body) {
@@ -126,17 +123,17 @@ Bytes move(const std::vector<Goal>& goals) {
 std::uint16_t ticks_of(double angle_rad) {
   if (!std::isfinite(angle_rad)) return static_cast<std::uint16_t>(kMiddle);
   return static_cast<std::uint16_t>(
-      std::lround(std::clamp(kMiddle + angle_rad / kTickRad, 0.0, kMostTicks)));
+      std::lround(std::clamp(kMiddle + angle_rad / kServoStep_rad, 0.0, kMostTicks)));
 }
 
 double angle_of(std::uint16_t ticks) {
-  return (ticks - kMiddle) * kTickRad;
+  return (ticks - kMiddle) * kServoStep_rad;
 }
 
 std::uint16_t speed_ticks_of(double speed_rad_s) {
   if (!std::isfinite(speed_rad_s)) return 1;
   return static_cast<std::uint16_t>(
-      std::lround(std::clamp(speed_rad_s / kSpeedTickRad_s, 1.0, kMostTicks)));
+      std::lround(std::clamp(speed_rad_s / kServoSpeedStep_rad_s, 1.0, kMostTicks)));
 }
 
 }  // namespace striate::pioneer::dynamixel

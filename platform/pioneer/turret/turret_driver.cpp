@@ -67,7 +67,7 @@ void TurretDriver::receive(ByteView bytes, TimePoint now) {
 }
 
 void TurretDriver::take(Servo& servo, const dynamixel::Packet& packet, TimePoint now) {
-  ByteReader reader(packet.parameters);
+  ByteReader reader(packet.parameters, ByteReader::Beyond::zero);
   ServoHealth& health = servo.health;
   health.angle_rad = dynamixel::angle_of(reader.u16());
   (void)reader.u16();

@@ -1,7 +1,8 @@
 #pragma once
 
+#include "base/geometry.hpp"
+#include "base/pioneer_devices.hpp"
 #include "config/settings.hpp"
-#include "platform/interface/geometry.hpp"
 #include "platform/interface/robot.hpp"
 
 namespace striate::simulator {
@@ -9,11 +10,12 @@ namespace striate::simulator {
 /// The stereo head: optics, sensor and exposure control. Defaults: a small machine-vision pair
 /// behind 43 degree lenses, rectified.
 struct CameraSettings {
-  int width_px = 320;                ///< the picture is 4:3; twice the stereo's working width
-  double field_rad = radians(43.0);  ///< horizontal view of the paper's Bumblebee-2
-  double baseline_m = 0.12;          ///< of the paper's Bumblebee-2
+  int width_px = 320;  ///< the picture is 4:3; twice the stereo's working width
+  double field_rad = RobotDescription{}.view_rad;  ///< horizontal view of the paper's Bumblebee-2
+  double baseline_m = kEyesApart_m;  ///< of the paper's Bumblebee-2
   double height_above_floor_m = RobotDescription{}.camera_height_m;
   double forward_of_axle_m = RobotDescription{}.camera_forward_m;
+  double resting_tilt_rad = RobotDescription{}.resting_tilt_rad;
 
   double gain_mismatch = 0.01;     ///< between left and right
   double rectification_px = 0.15;  ///< vertical error that is left, root mean square
@@ -42,6 +44,8 @@ void visit(V& v, CameraSettings& s) {
            "of the cameras above the floor");
   v.number("forward", s.forward_of_axle_m, Unit::length, {-0.5, 0.5},
            "of the pan axis before the axle");
+  v.number("resting_tilt", s.resting_tilt_rad, Unit::angle, {-0.6, 0.6},
+           "of the head while nothing else is wanted, up positive");
   v.number("gain_mismatch", s.gain_mismatch, Unit::fraction, {0, 0.3},
            "brightness of left against right");
   v.number("rectification", s.rectification_px, Unit::pixels, {0, 5},

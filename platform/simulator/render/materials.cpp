@@ -3,8 +3,8 @@
 #include <filesystem>
 #include <opencv2/imgcodecs.hpp>
 
+#include "base/user_error.hpp"
 #include "config/quantity.hpp"
-#include "config/user_error.hpp"
 #include "platform/simulator/render/paint.hpp"
 
 namespace striate::simulator::render {

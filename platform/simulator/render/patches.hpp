@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-#include "platform/interface/geometry.hpp"
+#include "base/geometry.hpp"
 #include "platform/simulator/render/materials.hpp"
 #include "platform/simulator/render/vec.hpp"
 

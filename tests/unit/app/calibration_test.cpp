@@ -6,8 +6,8 @@
 #include <opencv2/imgproc.hpp>
 
 #include "app/calibration/calibrate_stereo.hpp"
-#include "config/user_error.hpp"
-#include "platform/interface/geometry.hpp"
+#include "base/geometry.hpp"
+#include "base/user_error.hpp"
 #include "platform/pioneer/camera/rectifier.hpp"
 #include "tests/reference/board_camera.hpp"
 #include "tests/reference/temporary_folder.hpp"

@@ -8,7 +8,7 @@
 #include "app/evaluation/evaluation.hpp"
 #include "app/evaluation/homography_sequence.hpp"
 #include "app/evaluation/repeatability.hpp"
-#include "config/user_error.hpp"
+#include "base/user_error.hpp"
 #include "tests/reference/test_pictures.hpp"
 
 namespace striate {

@@ -9,7 +9,7 @@
 #include "app/evaluation/evaluation.hpp"
 #include "app/evaluation/object_methods.hpp"
 #include "app/evaluation/object_set.hpp"
-#include "config/user_error.hpp"
+#include "base/user_error.hpp"
 #include "tests/reference/test_pictures.hpp"
 
 namespace striate {

@@ -9,7 +9,7 @@
 #include "app/evaluation/evaluation.hpp"
 #include "app/evaluation/fixations.hpp"
 #include "app/evaluation/saliency_scores.hpp"
-#include "config/user_error.hpp"
+#include "base/user_error.hpp"
 
 namespace striate {
 namespace {

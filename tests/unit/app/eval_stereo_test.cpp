@@ -11,7 +11,7 @@
 #include "app/evaluation/evaluation.hpp"
 #include "app/evaluation/stereo_methods.hpp"
 #include "app/pfm.hpp"
-#include "config/user_error.hpp"
+#include "base/user_error.hpp"
 #include "tests/reference/test_pictures.hpp"
 
 namespace striate {

@@ -12,7 +12,7 @@
 #include "app/pfm.hpp"
 #include "app/picture_header.hpp"
 #include "app/read_picture.hpp"
-#include "config/user_error.hpp"
+#include "base/user_error.hpp"
 
 namespace striate {
 namespace {

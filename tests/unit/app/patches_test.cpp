@@ -10,7 +10,7 @@
 #include "app/evaluation/patch_methods.hpp"
 #include "app/learning/learn_descriptor.hpp"
 #include "app/learning/synthetic_pictures.hpp"
-#include "config/user_error.hpp"
+#include "base/user_error.hpp"
 #include "perception/descriptor/striate_table.hpp"
 
 namespace striate {

@@ -9,14 +9,14 @@
 #include <fstream>
 #include <set>
 
-#include "app/files.hpp"
 #include "app/place_text.hpp"
 #include "app/run_result.hpp"
 #include "app/trial/process_pool.hpp"
 #include "app/trial/trial_merge.hpp"
 #include "app/trial/trial_plan.hpp"
 #include "app/trial/trial_table.hpp"
-#include "config/user_error.hpp"
+#include "base/files.hpp"
+#include "base/user_error.hpp"
 
 namespace striate {
 namespace {

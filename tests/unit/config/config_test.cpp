@@ -1,8 +1,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "base/user_error.hpp"
 #include "config/settings.hpp"
-#include "config/user_error.hpp"
 
 namespace striate::config {
 namespace {
@@ -37,6 +37,13 @@ void visit(V& v, OuterSettings& s) {
   v.section("inner", s.inner);
 }
 
+struct OldSettings {};
+
+template <class V>
+void visit(V& v, OldSettings& /*s*/) {
+  v.retired("gain", "the camera says it");
+}
+
 OuterSettings read(const std::string& yaml, Mistakes& mistakes) {
   OuterSettings settings;
   const Node root = parse_yaml(yaml, mistakes);
@@ -56,6 +63,26 @@ TEST(Settings, ReadUnitsAndSections) {
   EXPECT_TRUE(s.on);
   EXPECT_EQ(s.mode, Mode::paper);
   EXPECT_NEAR(s.inner.angle_rad, 1.5707963, 1e-6);
+}
+
+TEST(Settings, ARetiredKeyIsAWarningAndNoMistake) {
+  Mistakes mistakes("f.yaml");
+  const std::string yaml = "gain: 3\n";
+  mistakes.set_source(yaml);
+  const Node root = parse_yaml(yaml, mistakes);
+  OldSettings settings;
+  SettingsReader reader(root, "settings", mistakes);
+  visit(reader, settings);
+  reader.finish();
+  EXPECT_TRUE(mistakes.none()) << mistakes.text();
+  EXPECT_EQ(mistakes.warnings(),
+            "f.yaml:1:1: warning: 'gain' has no effect any more\n"
+            "    gain: 3\n"
+            "    ^\n"
+            "    the camera says it\n");
+  SettingsPrinter printer;
+  visit(printer, settings);
+  EXPECT_TRUE(printer.lines().empty());
 }
 
 TEST(Settings, TellAllMistakesInOnePassWithTheirPlaces) {

@@ -4,7 +4,7 @@
 #include <random>
 #include <string>
 
-#include "config/user_error.hpp"
+#include "base/user_error.hpp"
 #include "memory/long_term/memory_file.hpp"
 #include "memory/long_term/memory_tables.hpp"
 #include "memory/long_term/memory_writer.hpp"
@@ -23,7 +23,7 @@ inline StoredView scattered_view(unsigned seed, int keypoints) {
   view.width_px = 200.0;
   view.height_px = 150.0;
   for (int k = 0; k < keypoints; ++k) {
-    StoredKeypoint point;
+    ViewKeypoint point;
     point.x_px = static_cast<float>(random() % 2000) / 10.0F;
     point.y_px = static_cast<float>(random() % 1500) / 10.0F;
     point.size_px = 8.0F;
@@ -37,7 +37,7 @@ inline StoredView scattered_view(unsigned seed, int keypoints) {
 
 /// The same thing seen a little differently: moved, and some bits flipped.
 inline StoredView seen_again(StoredView view, float shift_px, int keypoints_lost) {
-  for (StoredKeypoint& point : view.keypoints) point.x_px += shift_px;
+  for (ViewKeypoint& point : view.keypoints) point.x_px += shift_px;
   for (StoredDescriptor& one : view.descriptors) one[3] ^= 0x11;
   const std::size_t left = view.keypoints.size() - static_cast<std::size_t>(keypoints_lost);
   view.keypoints.resize(left);

@@ -1,7 +1,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "memory/long_term/checksum.hpp"
 #include "memory/long_term/forgetting.hpp"
 #include "memory/long_term/merging.hpp"
 #include "tests/unit/memory/long_term_fixtures.hpp"
@@ -13,20 +12,6 @@ using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
-
-TEST(Checksum, IsCrc32cOnEveryProcessor) {
-  const std::string text = "123456789";
-  const std::vector<std::uint8_t> bytes(text.begin(), text.end());
-  EXPECT_EQ(crc32c(bytes), 0xE3069283U);
-  EXPECT_EQ(crc32c_by_tables(bytes), 0xE3069283U);
-  EXPECT_EQ(crc32c(std::span(bytes).subspan(4), crc32c(std::span(bytes).first(4))), 0xE3069283U);
-  std::vector<std::uint8_t> longer(5003);
-  for (std::size_t k = 0; k < longer.size(); ++k) longer[k] = static_cast<std::uint8_t>(k * k / 7);
-  for (const std::size_t size : {0U, 1U, 7U, 8U, 1003U, 1535U, 1536U, 1544U, 3072U, 5003U}) {
-    const auto part = std::span(longer).first(size);
-    EXPECT_EQ(crc32c(part, 17), crc32c_by_tables(part, 17)) << size;
-  }
-}
 
 TEST(Tables, ALandmarkAndItsViewComeBackAsTheyWere) {
   const Folder folder;

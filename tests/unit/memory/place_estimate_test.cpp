@@ -19,6 +19,7 @@ LandmarkSighting look(std::int64_t landmark, const Pose2& from, Point2 place) {
   sighting.landmark = landmark;
   sighting.bearing_rad = std::atan2(here.y_m, here.x_m);
   sighting.distance_m = std::hypot(here.x_m, here.y_m);
+  sighting.disparity_metre_px = 24.4;
   return sighting;
 }
 

@@ -134,7 +134,7 @@ TEST_F(ShortTermMemoryTest, RemembersTheLastCommandsAndWhoWantedThem) {
   EXPECT_EQ(memory.doing(), "stop");
   EXPECT_NEAR(memory.sent().command.forward_m_s, 0.39, 1e-9);
   EXPECT_NEAR(memory.sent(3).command.forward_m_s, 0.36, 1e-9);
-  EXPECT_EQ(std::string_view(memory.sent(1).doing.data()), "traverse_corridor");
+  EXPECT_EQ(memory.sent(1).doing.view(), "traverse_corridor");
 }
 
 TEST_F(ShortTermMemoryTest, TheSameInputGivesTheSameMap) {

@@ -4,7 +4,7 @@
 #include <numbers>
 #include <opencv2/imgproc.hpp>
 
-#include "config/user_error.hpp"
+#include "base/user_error.hpp"
 #include "perception/descriptor/dense_descriptor.hpp"
 #include "perception/descriptor/striate_descriptor.hpp"
 #include "tests/reference/direction_reference.hpp"

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <set>
 
-#include "config/user_error.hpp"
+#include "base/user_error.hpp"
 #include "perception/descriptor/dense_descriptor.hpp"
 #include "perception/keypoints/keypoints.hpp"
 #include "tests/reference/every_target.hpp"

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "config/user_error.hpp"
+#include "base/user_error.hpp"
 #include "perception/lines/lines.hpp"
 #include "tests/reference/every_target.hpp"
 #include "tests/reference/test_pictures.hpp"

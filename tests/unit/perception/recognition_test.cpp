@@ -7,7 +7,7 @@
 #include <numbers>
 #include <opencv2/imgproc.hpp>
 
-#include "config/user_error.hpp"
+#include "base/user_error.hpp"
 #include "perception/recognition/oriented_keypoints.hpp"
 #include "perception/recognition/recogniser.hpp"
 #include "tests/reference/every_target.hpp"

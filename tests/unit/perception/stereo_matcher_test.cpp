@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "config/user_error.hpp"
+#include "base/user_error.hpp"
 #include "perception/stereo/decision.hpp"
 #include "tests/reference/every_target.hpp"
 #include "tests/reference/test_pictures.hpp"

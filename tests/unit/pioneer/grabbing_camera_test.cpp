@@ -3,7 +3,7 @@
 #include <opencv2/videoio.hpp>
 #include <thread>
 
-#include "config/user_error.hpp"
+#include "base/user_error.hpp"
 #include "platform/pioneer/camera/bumblebee_picture.hpp"
 #include "platform/pioneer/camera/stereo_camera.hpp"
 #include "platform/pioneer/steady_clock.hpp"

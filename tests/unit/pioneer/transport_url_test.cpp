@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "config/user_error.hpp"
+#include "base/user_error.hpp"
 
 namespace striate::pioneer {
 namespace {

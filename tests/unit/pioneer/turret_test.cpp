@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "platform/interface/geometry.hpp"
+#include "base/geometry.hpp"
 #include "platform/pioneer/turret/arbotix.hpp"
 #include "platform/pioneer/turret/dynamixel.hpp"
 #include "tests/reference/captures.hpp"

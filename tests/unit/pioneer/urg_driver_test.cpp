@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "platform/interface/geometry.hpp"
+#include "base/geometry.hpp"
 #include "platform/pioneer/firmware/urg_device.hpp"
 #include "tests/reference/captures.hpp"
 

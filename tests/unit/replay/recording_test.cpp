@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstring>
 
-#include "config/user_error.hpp"
+#include "base/user_error.hpp"
 #include "platform/replay/recording_reader.hpp"
 #include "platform/replay/replay_robot.hpp"
 #include "tests/reference/recorded_cycles.hpp"
@@ -177,6 +177,23 @@ TEST(Recording, CyclesThatDoNotFollowEachOtherAreDamage) {
     append_chunk(bytes, Chunk::cycle, bytes_of(a_cycle(number)));
   }
   EXPECT_THAT(refusal({bytes.begin(), bytes.end()}), HasSubstr("do not follow each other"));
+}
+
+TEST(Recording, KeepsTheWholeRobotAndReadsSetupsFromBeforeItCouldBeAnother) {
+  RecordedSetup setup = a_setup();
+  setup.robot.view_rad = 1.1;
+  setup.robot.resting_tilt_rad = -0.05;
+  setup.robot.corner_m = 0.07;
+  std::vector<std::uint8_t> bytes = encode(setup);
+  EXPECT_EQ(decode_setup(bytes).robot.view_rad, 1.1);
+  EXPECT_EQ(decode_setup(bytes).robot.resting_tilt_rad, -0.05);
+  EXPECT_EQ(decode_setup(bytes).robot.corner_m, 0.07);
+  bytes.resize(bytes.size() - 3 * sizeof(double));
+  const RecordedSetup old = decode_setup(bytes);
+  EXPECT_EQ(old.robot.view_rad, RobotDescription{}.view_rad);
+  EXPECT_EQ(old.robot.front_m, setup.robot.front_m);
+  bytes.resize(bytes.size() + sizeof(double));
+  EXPECT_THROW((void)decode_setup(bytes), BadBytes);
 }
 
 TEST(ReplayRobot, FeelsWhatWasFeltThenWhateverItIsTold) {

@@ -5,7 +5,7 @@
 
 #include <filesystem>
 
-#include "config/user_error.hpp"
+#include "base/user_error.hpp"
 #include "tests/reference/temporary_folder.hpp"
 #include "tests/unit/ros/written_bag.hpp"
 

@@ -1,7 +1,7 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
-#include "config/user_error.hpp"
+#include "base/user_error.hpp"
 #include "render_world.hpp"
 
 namespace striate::simulator::test {

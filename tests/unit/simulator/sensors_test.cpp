@@ -89,6 +89,18 @@ class RangeFinders : public testing::Test {
   }
 };
 
+TEST_F(RangeFinders, SitAtTheRimOfTheOutline) {
+  EXPECT_EQ(sonar_mounts({})[3].x_m, 0.166);
+  RobotDescription wide;
+  wide.half_width_m *= 1.5;
+  wide.front_m *= 2.0;
+  EXPECT_NEAR(sonar_mounts(wide)[0].y_m, 1.5 * 0.136, 1e-12);
+  EXPECT_NEAR(sonar_mounts(wide)[3].x_m, 2.0 * 0.166, 1e-12);
+  EXPECT_EQ(sonar_mounts(wide)[12].x_m, -0.255) << "the rear end is where it was";
+  EXPECT_EQ(sonar_mounts(wide)[3].heading_rad, radians(10.0));
+  EXPECT_NEAR(laser_mount(wide).x_m, 0.042, 1e-12);
+}
+
 TEST_F(RangeFinders, TheSideSonarsSeeTheWallsSquareOn) {
   const World world = straight_world();
   const Physics physics = physics_at(world, {10.0, 0.2, 0.0});

@@ -34,6 +34,16 @@ TEST(Shapes, TheFootprintIsThePioneersOctagon) {
   EXPECT_EQ(diagonals, 4);
 }
 
+TEST(Shapes, TheFootprintFollowsTheDescription) {
+  RobotDescription robot;
+  robot.front_m = robot.rear_m = robot.half_width_m = 0.18;
+  robot.corner_m = 0.15;
+  const ConvexShape round = robot_footprint(robot);
+  for (const Point2& corner : round.corners) {
+    EXPECT_NEAR(std::hypot(corner.x_m, corner.y_m), 0.19, 0.01) << "nearly a disc";
+  }
+}
+
 TEST(Shapes, DistanceOfDiscsLinesAndRectangles) {
   EXPECT_NEAR(distance_m(disc({0, 0}, 0.2), disc({1, 0}, 0.3)), 0.5, 1e-12);
   EXPECT_NEAR(distance_m(disc({0, 0.5}, 0.2), {{{-1, 0}, {1, 0}}, 0.0}), 0.3, 1e-12);

@@ -5,7 +5,7 @@
 
 #include <fstream>
 
-#include "config/user_error.hpp"
+#include "base/user_error.hpp"
 #include "platform/simulator/random.hpp"
 
 namespace striate::simulator {

@@ -6,7 +6,7 @@
 #include <set>
 #include <sstream>
 
-#include "config/user_error.hpp"
+#include "base/user_error.hpp"
 #include "tasks/task_reader.hpp"
 
 /// Each file of tests/broken_tasks is checked, and what is told of it must be what stands in the

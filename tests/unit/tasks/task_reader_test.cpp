@@ -5,7 +5,7 @@
 
 #include <filesystem>
 
-#include "config/user_error.hpp"
+#include "base/user_error.hpp"
 
 namespace striate {
 namespace {

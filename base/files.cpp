@@ -1,4 +1,4 @@
-#include "app/files.hpp"
+#include "base/files.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -10,7 +10,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "config/user_error.hpp"
+#include "base/user_error.hpp"
 
 namespace striate {
 namespace {

@@ -1,8 +1,10 @@
-#include "memory/long_term/checksum.hpp"
+#include "base/crc32c.hpp"
 
 #include <array>
 #include <bit>
 #include <cstring>
+
+#include "base/crc_table.hpp"
 
 namespace striate {
 namespace {
@@ -13,11 +15,7 @@ using Tables = std::array<std::array<std::uint32_t, 256>, 8>;
 
 constexpr Tables make_tables() {
   Tables tables{};
-  for (std::uint32_t byte = 0; byte < 256; ++byte) {
-    std::uint32_t value = byte;
-    for (int bit = 0; bit < 8; ++bit) value = (value >> 1) ^ ((value & 1) != 0 ? 0x82F63B78U : 0U);
-    tables[0][byte] = value;
-  }
+  tables[0] = reflected_crc_table(0x82F63B78U);
   for (std::size_t k = 1; k < tables.size(); ++k) {
     for (std::size_t byte = 0; byte < 256; ++byte) {
       const std::uint32_t value = tables[k - 1][byte];
