@@ -21,8 +21,8 @@ class DrawnTrail {
   [[nodiscard]] const std::deque<Point2>& points() const { return points_; }
 
  private:
-  static constexpr double kStep_m = 0.1;
-  static constexpr std::size_t kMost = 400;
+  static constexpr double kStep_m = 0.1;     ///< between points: a pixel or two of the drawn map
+  static constexpr std::size_t kMost = 400;  ///< points: 40 m, more than the drawn map reaches
   std::deque<Point2> points_;
 };
 

@@ -5,7 +5,9 @@
 namespace striate {
 namespace {
 
+/// Ten times the resolution of a SIP's wheel speeds, as the driver's
 constexpr double kStands_m_s = 0.01;
+/// 1.1 deg/s: ten times the resolution of a SIP's turning speed, as the driver's
 constexpr double kStands_rad_s = 0.02;
 
 bool stands(const Odometry& odometry) {

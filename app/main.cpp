@@ -9,6 +9,7 @@
 
 namespace {
 
+/// First words of --help
 constexpr const char* kAbout =
     "Striate: a cognitive robot that sees with a model of the visual cortex.\n\n"
     "Begin here:\n"
@@ -30,6 +31,7 @@ constexpr const char* kAbout =
     "  striate task actions\n"
     "      lists what a task script can be made of";
 
+/// Last words of --help
 constexpr const char* kFooter =
     "\nExit codes: 0 success, 1 mission failed or something broke, 2 a mistake in what was given,\n"
     "130 interrupted. 'striate COMMAND --help' explains each command.";

@@ -23,8 +23,8 @@ namespace striate {
 struct MissionOptions {
   std::string task;
   std::string world;
-  std::string robot;  ///< settings file; empty: the built-in defaults
-  std::uint64_t seed = 1;
+  std::string robot;       ///< settings file; empty: the built-in defaults
+  std::uint64_t seed = 1;  ///< any; the first run of a series
   bool emergency_layer = true;
   std::string baseline;  ///< whose disparities: paper, sgbm, truth; empty: Striate's own
   /// Along the corridor, left of its middle, heading; none: the world's own start.

@@ -65,11 +65,19 @@ StereoFrame read_pair(const PerceiveOptions& o) {
   return frame;
 }
 
+/// At width 160: 43 degrees of horizontal view, the paper's camera.
+constexpr double kPaperFocal_px = 203.0;
+/// px; the paper's working width, at which its focal length is told.
+constexpr double kPaperWidth_px = 160.0;
+/// px: a smaller disparity errs by half of itself.
+constexpr double kLeastSplit_px = 2.0;
+
 /// Otsu's threshold: the split of the known disparities into near and far with the least spread
 /// inside both parts. Never below 2 px.
 double split_near_from_far(const cv::Mat1f& disparity_px) {
-  constexpr int kBins = 1024;
-  constexpr double kBin_px = 0.25;
+  constexpr int kBins = 1024;       // of kBin_px: 256 px, the most that stereo searches
+  constexpr double kBin_px = 0.25;  // px: about the error of a sub-pixel disparity
+  // Of the disparities: the share that the split may leave out at the near end (ours)
   constexpr double kOutliers = 0.12;
   double left_out = 0.0;
   std::vector<double> histogram(kBins, 0.0);
@@ -104,7 +112,7 @@ double split_near_from_far(const cv::Mat1f& disparity_px) {
       split = b;
     }
   }
-  return std::max(2.0, (split + 1) * kBin_px);
+  return std::max(kLeastSplit_px, (split + 1) * kBin_px);
 }
 
 /// A camera so high that its floor is below everything: near blobs alone are obstacles.
@@ -125,7 +133,7 @@ void find_near_blobs(const PerceiveOptions& o, const StereoFrame& frame, Judged&
       o.near_px > 0.0 ? o.near_px : split_near_from_far(percept.disparity.disparity_px);
   DisparityMap map = percept.disparity;
   if (o.focal_px <= 0.0) {  // relative units: one baseline is 1, the view as wide as the robot's
-    map.focal_px = 203.0 / 160.0 * map.disparity_px.cols;
+    map.focal_px = kPaperFocal_px / kPaperWidth_px * map.disparity_px.cols;
     map.baseline_m = 1.0;
     map.centre_u_px = 0.5 * (map.disparity_px.cols - 1);
     map.centre_v_px = 0.5 * (map.disparity_px.rows - 1);

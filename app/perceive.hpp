@@ -12,10 +12,10 @@ struct PerceiveOptions {
   std::filesystem::path right;        ///< empty: one eye; saliency, keypoints and overview only
   std::filesystem::path out;          ///< folder; made where missing
   std::string setting = "robust";     ///< or "paper"
-  int width_px = 160;                 ///< working width
+  int width_px = 160;                 ///< working width; the paper's
   int candidates = 0;                 ///< disparities searched; 0: 150 at width 160, in scale
   double focal_px = 0.0;              ///< of the pictures as they are in the files; 0: unknown
-  double baseline_m = 0.0;            ///< 0: unknown
+  double baseline_m = 0.0;            ///< 0: unknown, and no distances are told
   std::optional<double> centre_u_px;  ///< principal point; the picture's middle where not given
   std::optional<double> centre_v_px;
   std::optional<double> camera_height_m;  ///< above the floor; unknown: near blobs are obstacles

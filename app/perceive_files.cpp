@@ -129,6 +129,7 @@ std::string keypoints_json(const Percept& percept, cv::Size picture) {
 }
 
 cv::Mat3b saliency_picture(const StereoFrame& frame, const Percept& percept) {
+  // px: smaller pictures are enlarged, so that labels can be read
   constexpr int kNarrowest_px = 640;
   const double scale = std::max(1.0, static_cast<double>(kNarrowest_px) / frame.left.cols);
   return pictures::draw_saliency(frame, percept,

@@ -16,7 +16,9 @@
 namespace striate {
 namespace {
 
+/// More than any camera's; a head that promises it is damaged (as in read_picture.cpp)
 constexpr long kLongestSide_px = 16384;
+/// 40 million: 160 MB as floats; a head that promises more is damaged
 constexpr long kMostPixels = 40'000'000;
 
 [[noreturn]] void refuse(const std::string& name, const std::string& why) {

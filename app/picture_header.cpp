@@ -37,6 +37,7 @@ class Bytes {
 
 /// The checksum of PNG chunks (ISO 3309, reflected polynomial 0xEDB88320).
 std::uint32_t checksum(const Bytes& bytes, std::size_t from, std::size_t to) {
+  // CRC-32 of PNG (ISO 3309) of every byte
   static const auto kTable = [] {
     std::array<std::uint32_t, 256> table{};
     for (std::uint32_t n = 0; n < table.size(); ++n) {
@@ -70,7 +71,7 @@ bool is_start_of_frame(std::uint32_t marker) {
 }
 
 PictureHeader jpeg(const Bytes& bytes) {
-  constexpr std::uint32_t kEnd = 0xD9;
+  constexpr std::uint32_t kEnd = 0xD9;  // JPEG's EOI marker (ITU-T T.81)
   PictureHeader header;
   for (std::size_t at = 2; at + 1 < bytes.size();) {
     const std::uint32_t marker = bytes.at(at + 1);
@@ -152,6 +153,7 @@ PictureHeader tiff(const Bytes& bytes) {
   const bool little = bytes.says(0, "II");
   const auto two = [&](std::size_t i) { return little ? bytes.little16(i) : bytes.big16(i); };
   const auto four = [&](std::size_t i) { return little ? bytes.little32(i) : bytes.big32(i); };
+  // TIFF 6.0 tags ImageWidth and ImageLength, type SHORT
   constexpr std::uint32_t kWidth = 256, kHeight = 257, kShort = 3;
   PictureHeader header;
   const std::size_t directory = four(4);

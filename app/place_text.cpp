@@ -13,6 +13,7 @@ Pose2 parse_place(const std::string& text) {
   const std::size_t count = list.items.size();
   Pose2 place;
   if (mistakes.none() && (count == 2 || count == 3)) {
+    // m along the corridor: whatever the world is, a typing error lies outside
     constexpr config::Range kAlong{-1000.0, 100000.0};
     using config::Unit;
     place.x_m = read_quantity(list.items[0], Unit::length, kAlong, mistakes).value_or(0.0);

@@ -20,8 +20,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kSmallestPicture_px = 16;
-constexpr double kMostPixels = 40e6;  ///< above any camera here; memory stays below 1 GB
+constexpr int kSmallestPicture_px = 16;  ///< px: a V1 kernel is 15 wide
+constexpr double kMostPixels = 40e6;     ///< above any camera here; memory stays below 1 GB
 constexpr std::uintmax_t kMostBytes = 400U << 20;  ///< 40 million pixels of four times 16 bits
 constexpr double kLongestShape = 20.0;  ///< width / height: more leaves no row at the working size
 

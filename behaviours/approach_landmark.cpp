@@ -8,19 +8,28 @@
 namespace striate {
 namespace {
 
-constexpr double kClosing_m = 0.9;      // beyond the wanted distance: the straight way begins
-constexpr double kClosing_m_s = 0.18;   // at most
-constexpr double kClosingGain_s = 0.6;  // speed per metre that is left
+// "By hand": README.md, "Where the numbers come from"; the missions are seek.yaml and
+// find_and_return.yaml, the tests ApproachLandmark.* in tests/unit/behaviours.
+
+// By hand: beyond the wanted distance, where the straight way begins, and how fast it is driven: at
+// most, speed per metre that is left, and at least.
+constexpr double kClosing_m = 0.9;
+constexpr double kClosing_m_s = 0.18;
+constexpr double kClosingGain_1_s = 0.6;
 constexpr double kLeast_m_s = 0.06;
-constexpr double kArrived_m = 0.05;
-constexpr double kBlocked_s = 2.5;     // no nearer for so long: as near as things allow ...
-constexpr double kNearEnough_m = 1.0;  // ... which is an arrival within this of the distance
-constexpr double kClosingClear_m = 0.10;
+constexpr double kArrived_m = 0.05;  // by hand: less than a look's error of the place
+// By hand: no nearer, by kNearer_m, for so long is as near as things allow, which is an arrival
+// within kNearEnough_m of the distance.
+constexpr double kNearer_m = 0.02;
+constexpr double kBlocked_s = 2.5;
+constexpr double kNearEnough_m = 1.0;
+constexpr double kClosingClear_m = 0.10;  // by hand: what carries the landmark is near by intent
+// By hand: facing it means within 6 degrees, turned to briskly.
 constexpr double kFacing_rad = 0.10;
 constexpr double kTurn_rad_s = 0.5;
 constexpr double kTurnGain_1_s = 1.2;
-constexpr double kLookFor_s = 6.0;
-constexpr Duration kFresh = std::chrono::milliseconds(1500);
+constexpr double kLookFor_s = 6.0;  // by hand: twice confirming_time of the landmark memory
+constexpr Duration kFresh = std::chrono::milliseconds(1500);  // by hand: half of confirming_time
 
 }  // namespace
 
@@ -74,7 +83,7 @@ Wish ApproachLandmark::tick(const ShortTermMemory& memory) {
 
 Wish ApproachLandmark::close_in(const ShortTermMemory& memory, const LandmarkInMind& landmark) {
   const double left_m = distance_to_m(memory, landmark.place) - settings_.stop_at_m;
-  if (left_m < nearest_m_ - 0.02) {
+  if (left_m < nearest_m_ - kNearer_m) {
     nearest_m_ = left_m;
     nearest_at_ = memory.now();
   }
@@ -91,7 +100,7 @@ Wish ApproachLandmark::close_in(const ShortTermMemory& memory, const LandmarkInM
   straight_.points[0] = {memory.pose().x_m, memory.pose().y_m};
   straight_.points[1] = landmark.place;
   straight_.least_margin_m = 0.0;
-  const double speed_m_s = std::clamp(kClosingGain_s * left_m, kLeast_m_s, kClosing_m_s);
+  const double speed_m_s = std::clamp(kClosingGain_1_s * left_m, kLeast_m_s, kClosing_m_s);
   const Drive drive =
       steering_.follow(straight_, field_, memory.pose(), {speed_m_s, kClosingClear_m, true});
   Wish wish = watch(memory, landmark, short_format("closes in on '{}'", settings_.landmark));

@@ -17,8 +17,8 @@ class ApproachLandmark : public Behaviour {
  public:
   struct Settings {
     std::string landmark;
-    double stop_at_m = 0.8;
-    double speed_m_s = 0.30;
+    double stop_at_m = 0.8;   ///< by hand: near enough to recognise it, far enough to turn
+    double speed_m_s = 0.30;  ///< by hand: slower than a journey, to see it often
     DrivingSettings driving{};
   };
   static constexpr const char* kMain = "landmark";

@@ -15,7 +15,7 @@ enum class MotorOwner : std::uint8_t { nobody, behaviour, pilot, guard, emergenc
 /// within 200 ms loses the motors, and with nobody left the robot stands.
 class Arbiter {
  public:
-  static constexpr Duration kLease = std::chrono::milliseconds(200);
+  static constexpr Duration kLease = std::chrono::milliseconds(200);  ///< two cycles of 100 ms
 
   /// Hands in a wish; its lease counts from its own stamp.
   void offer(MotorOwner owner, const Wish& wish);

@@ -8,8 +8,8 @@
 namespace striate {
 namespace {
 
-constexpr int kOpenTicks = 5;  // half a second: a flicker is no opening
-constexpr double kAligned_rad = 0.25;
+constexpr int kOpenTicks = 5;          // by hand, half a second: a flicker is no opening
+constexpr double kAligned_rad = 0.25;  // by hand, 14 degrees: what comes next drives straight on
 
 }  // namespace
 

@@ -12,8 +12,8 @@ namespace striate {
 class Avoid : public Behaviour {
  public:
   struct Settings {
-    double speed_m_s = 0.30;
-    double open_m = 1.5;
+    double speed_m_s = 0.30;  ///< by hand: slower than on an open way
+    double open_m = 1.5;      ///< by hand: more than twice the way to stop from 0.75 m/s (0.68 m)
     DrivingSettings driving;
   };
 

@@ -3,10 +3,10 @@
 namespace striate {
 namespace {
 
-constexpr double kReach_m = 1.0;
-constexpr double kBeside_m = 0.025;  // a way driven over is not wider than the robot
-constexpr int kAcross = 8;           // samples, nearer to each other than patches
-constexpr int kHole = 1;             // of them: a column without a match
+constexpr double kReach_m = 1.0;     // by hand (README.md): more than any behaviour backs at once
+constexpr double kBeside_m = 0.025;  // half a patch: a way driven over is not wider than the robot
+constexpr int kAcross = 8;           // samples: 0.047 m apart, less than a patch
+constexpr int kHole = 1;             // of the samples across: a column without a match
 
 bool row_is_free(const ShortTermMemory& memory, double behind_m, double half_width_m) {
   int unknown = 0;

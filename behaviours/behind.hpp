@@ -5,7 +5,8 @@
 
 namespace striate {
 
-/// Nearer to where known floor ends no behaviour backs by itself.
+/// Nearer to where known floor ends no behaviour backs by itself. By hand: two patches of the map;
+/// at 0.12 m/s the robot stops within 0.06 m.
 inline constexpr double kRoomBehind_m = 0.10;
 
 /// How far straight back from the rear end the floor is known free, all across the robot: seen

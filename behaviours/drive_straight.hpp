@@ -12,7 +12,7 @@ class DriveStraight : public Behaviour {
  public:
   struct Settings {
     double distance_m = 1.0;
-    double speed_m_s = 0.30;
+    double speed_m_s = 0.30;  ///< by hand: it does not go round things
   };
   DriveStraight(const Settings& settings, const RobotDescription& /*robot*/)
       : line_(settings.distance_m, settings.speed_m_s) {}

@@ -8,24 +8,32 @@
 namespace striate {
 namespace {
 
-constexpr double kThinkEvery_s = 0.5;
-constexpr double kMissing_s = 1.5;    // no goal for so long: look round
-constexpr double kNoNearer_s = 12.0;  // no nearer to the goal for so long: leave it
+// "By hand": README.md, "Where the numbers come from"; the mission is config/tasks/explore.yaml,
+// the tests are Explore.* in tests/unit/behaviours.
+
+constexpr double kThinkEvery_s = 0.5;  // by hand: five cycles, in which it drives 0.2 m
+constexpr double kMissing_s = 1.5;     // by hand: no goal for so long (three searches): look round
+// By hand: no nearer to the goal, by kNearer_m, for so long: leave it; sooner where the robot is
+// there and it is still unknown: then there is nothing to be seen.
+constexpr double kNoNearer_s = 12.0;
 constexpr double kNearer_m = 0.2;
 constexpr double kAtGoal_m = 0.9;
-constexpr double kAtGoal_s = 3.0;  // and still unknown there: nothing to be seen
-constexpr double kSameGoal_m = 1.0;
-constexpr double kPassedApart_m = 1.5;
+constexpr double kAtGoal_s = 3.0;
+constexpr double kSameGoal_m = 1.0;     // by hand: goals nearer to each other are one that wanders
+constexpr double kPassedApart_m = 1.5;  // by hand: edges that were passed are kept so far apart
+// By hand: more than the 0.20 m2 that a frontier needs, for the way back is long.
 constexpr double kWorthReturning_m2 = 0.35;
-constexpr double kAtPassed_m = 0.9;
+constexpr double kAtPassed_m = 0.9;  // by hand, as near as kAtGoal_m
+// By hand: floor that a round over all that was given up must bring; less is next to nothing.
 constexpr double kWorthARound_m2 = 2.0;
-constexpr double kReturnLongest_s = 120.0;
-constexpr double kDwell_s = 0.5;
-constexpr int kTurns = 3;
-constexpr double kTurn_rad = 2.1;  // three of them are a whole turn
+constexpr double kReturnLongest_s = 120.0;  // by hand: 48 m at 0.40 m/s
+constexpr double kDwell_s = 0.5;            // by hand: several pictures in each direction
+constexpr int kTurns = 3;                   // a whole turn, by kTurn_rad
+constexpr double kTurn_rad = 2.1;           // three of them are a whole turn
+// By hand: half of the turn rate that the body allows; a third of a turn takes 3.5 s and its end.
 constexpr double kTurn_rad_s = 0.6;
 constexpr double kTurnLongest_s = 8.0;
-constexpr double kTurned_rad = 0.06;
+constexpr double kTurned_rad = 0.06;  // by hand, 3 degrees: a tenth of a second of turning
 
 double apart_m(Point2 a, Point2 b) {
   return std::hypot(a.x_m - b.x_m, a.y_m - b.y_m);

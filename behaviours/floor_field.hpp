@@ -11,8 +11,8 @@ namespace striate {
 /// single wrong matches are common, and thin things are seen again and again.
 class FloorField {
  public:
-  static constexpr double kFar_m = 10.0;
-  static constexpr int kReach = 108;  ///< cells each way, 5.4 m
+  static constexpr double kFar_m = 10.0;  ///< beyond the field's corners (7.6 m): nothing near
+  static constexpr int kReach = 108;  ///< cells each way, 5.4 m: what is planned over, and a little
 
   FloorField();
   void update(const LocalGrid& grid);

@@ -6,19 +6,31 @@
 namespace striate {
 namespace {
 
-constexpr double kMargin_m = 0.08;      // beside the flanks
-constexpr double kUnderRobot_m = 0.45;  // round the robot nothing is closed: it stands there
-constexpr double kRound_m = 0.6;        // what is looked at round a frontier
+// "By hand": README.md, "Where the numbers come from"; the mission is config/tasks/explore.yaml.
+
+constexpr double kMargin_m = 0.08;  // by hand: beside the flanks, as at the slowest pace
+// Round the robot nothing is closed, it stands there: its circle about the axle, 0.37 m, and
+// margin.
+constexpr double kUnderRobot_m = 0.45;
+// By hand: what is looked at round a frontier, so densely, and how much of it must be unknown: nine
+// of 81 samples.
+constexpr double kRound_m = 0.6;
+constexpr double kSample_m = 0.15;
 constexpr double kLeastUnknown_m2 = 0.20;
+constexpr double kSeeThrough_m = 0.08;  // by hand: floor halfway must be so far from things
+// By hand: worth of unknown floor, price of the way and of the turning; one square metre is worth
+// eight metres of way.
 constexpr double kWorth_per_m2 = 4.0;
 constexpr double kWayPrice_per_m = 0.5;
 constexpr double kTurnPrice_per_rad = 0.5;
+// By hand: what the last choice is given, and how near to it is the same: as much as 1.6 m of way.
 constexpr double kHabit = 0.8;
 constexpr double kHabit_m = 0.8;
-constexpr double kAvoided_m = 0.7;
-constexpr double kNext_m = 1.5;
-constexpr double kSeeThrough_m = 0.08;
-constexpr double kLeastWay_m = 0.3;
+constexpr double kAvoided_m = 0.7;   // by hand: round a place that was given up; more than kRound_m
+constexpr double kNext_m = 1.5;      // by hand: the point that is steered for, of the way there
+constexpr double kLeastWay_m = 0.3;  // by hand: three squares; nearer, there is no way
+// The root of two to nine digits: a diagonal step. With more digits runs would differ.
+constexpr double kDiagonal = 1.41421356;
 
 double apart_m(Point2 a, Point2 b) {
   return std::hypot(a.x_m - b.x_m, a.y_m - b.y_m);
@@ -74,6 +86,7 @@ void FrontierFinder::spread(const FloorField& field, const Pose2& robot) {
   way_m_[static_cast<std::size_t>(start)] = 0.0F;
   from_[static_cast<std::size_t>(start)] = -1;
   queue_.push_back(start);
+  // The eight squares round one, by their number; the four straight ones first.
   constexpr std::array<int, 8> kNeighbours{1,         -1,        kSide,      -kSide,
                                            kSide + 1, kSide - 1, -kSide + 1, -kSide - 1};
   for (std::size_t head = 0; head < queue_.size(); ++head) {
@@ -85,7 +98,7 @@ void FrontierFinder::spread(const FloorField& field, const Pose2& robot) {
       const int next = node + kNeighbours[k];
       if (way_m_[static_cast<std::size_t>(next)] >= 0.0F) continue;
       if (!open(field, place_of(next), robot)) continue;
-      const auto step_m = static_cast<float>(k < 4 ? kStep_m : 1.41421356 * kStep_m);
+      const auto step_m = static_cast<float>(k < 4 ? kStep_m : kDiagonal * kStep_m);
       way_m_[static_cast<std::size_t>(next)] = way_m_[static_cast<std::size_t>(node)] + step_m;
       from_[static_cast<std::size_t>(next)] = node;
       queue_.push_back(next);
@@ -95,7 +108,6 @@ void FrontierFinder::spread(const FloorField& field, const Pose2& robot) {
 
 /// Slivers beside things do not count, no robot fits there; nor what lies behind them.
 double FrontierFinder::unknown_round_m2(const FloorField& field, Point2 place) const {
-  constexpr double kSample_m = 0.15;
   int unknown = 0;
   for (double y = -kRound_m; y <= kRound_m; y += kSample_m) {
     for (double x = -kRound_m; x <= kRound_m; x += kSample_m) {

@@ -14,8 +14,8 @@ namespace striate {
 /// whether, not what: squares of 0.25 m, a bit each, over 64 m x 64 m that wrap round.
 class KnownFloor {
  public:
-  static constexpr double kSquare_m = 0.25;
-  static constexpr int kSide = 256;
+  static constexpr double kSquare_m = 0.25;  ///< by hand: five patches of the map each way
+  static constexpr int kSide = 256;          ///< squares, 64 m; a power of two: indices wrap round
   void forget() { known_.reset(); }
   void know(Point2 odometry) { known_.set(index(odometry)); }
   [[nodiscard]] bool knows(Point2 odometry) const { return known_.test(index(odometry)); }
@@ -42,8 +42,8 @@ struct Frontier {
 /// most is unknown for the way and the turning that it costs. Fixed memory.
 class FrontierFinder {
  public:
-  static constexpr double kStep_m = 0.10;
-  static constexpr int kReach = 52;  ///< squares each way
+  static constexpr double kStep_m = 0.10;  ///< that of the planned way, PathPlanner::kStep_m
+  static constexpr int kReach = 52;        ///< squares each way, 5.2 m: within FloorField::kReach
 
   explicit FrontierFinder(const RobotDescription& robot);
   void forget();
@@ -62,7 +62,7 @@ class FrontierFinder {
 
  private:
   static constexpr int kSide = 2 * kReach + 1;
-  static constexpr std::size_t kAvoided = 48;
+  static constexpr std::size_t kAvoided = 48;  ///< by hand; when it is full the first gives way
   [[nodiscard]] Point2 place_of(int node) const;
   [[nodiscard]] bool open(const FloorField& field, Point2 place, const Pose2& robot) const;
   void spread(const FloorField& field, const Pose2& robot);

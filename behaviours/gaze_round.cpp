@@ -6,9 +6,9 @@
 namespace striate {
 namespace {
 
-constexpr int kSides = 2;
-constexpr double kThere_rad = 0.05;
-constexpr double kLongest_s = 3.0;  // a head that does not get there is not waited for
+constexpr int kSides = 2;            // left and right, before the salient regions
+constexpr double kThere_rad = 0.05;  // by hand, 3 degrees of the 43 of the view
+constexpr double kLongest_s = 3.0;   // by hand: a head that does not get there is not waited for
 
 }  // namespace
 

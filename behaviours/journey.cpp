@@ -10,12 +10,17 @@
 namespace striate {
 namespace {
 
-constexpr double kAlongCorridor_rad = 0.6;  // so far off its axis the corridor still leads there
-constexpr double kFromWall_m = 0.55;        // a line nearer to a wall is the drift's, not the way's
-constexpr double kDirect_m = 2.0;           // nearer goals are driven to without the trail
-constexpr double kTrailAhead_m = 2.0;
-constexpr double kTrailServes_m = 2.5;  // farther off, the trail does not lead to the goal
-constexpr double kOnTrail_m = 1.0;
+// "By hand": README.md, "Where the numbers come from"; the mission is find_and_return.yaml.
+
+constexpr double kAlongCorridor_rad = 0.6;  // by hand: so far off its axis it still leads there
+// By hand: a line nearer to a wall is the drift's, not the way's; leaves 0.34 m beside the flank,
+// about what full pace needs (PaceSettings::roomy_m).
+constexpr double kFromWall_m = 0.55;
+constexpr double kDirect_m = 2.0;       // by hand: nearer goals are driven to without the trail
+constexpr double kTrailAhead_m = 2.0;   // by hand: so far on along the trail is steered for
+constexpr double kTrailServes_m = 2.5;  // by hand: farther off, the trail does not lead to the goal
+constexpr double kOnTrail_m = 1.0;      // by hand: four crumbs; so near is the same pass
+// By hand: half the body's deceleration for the last way, and the speed that it ends with.
 constexpr double kEasing_m_s2 = 0.25;
 constexpr double kLeast_m_s = 0.12;
 

@@ -11,12 +11,13 @@ struct Gaze {
   double pan_share;
   double tilt_rad;
 };
-constexpr double kNear_rad = -0.5;
+constexpr double kNear_rad = -0.5;  // the floor is in view from 1.2 m on: 1.2 m / tan(45 degrees)
+// By hand: near and far at each side, and back: the floor and what stands on it.
 constexpr std::array<Gaze, 6> kGazes{Gaze{0.0, kNear_rad},        Gaze{1.0, kNear_rad},
                                      Gaze{1.0, kRestingTilt_rad}, Gaze{-1.0, kRestingTilt_rad},
                                      Gaze{-1.0, kNear_rad},       Gaze{0.0, kRestingTilt_rad}};
-constexpr double kThere_rad = 0.05;
-constexpr double kLongest_s = 4.0;  // a head that does not get there is not waited for
+constexpr double kThere_rad = 0.05;  // by hand, 3 degrees of the 43 of the view
+constexpr double kLongest_s = 4.0;   // by hand: a head that does not get there is not waited for
 
 }  // namespace
 

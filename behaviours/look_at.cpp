@@ -6,8 +6,8 @@
 namespace striate {
 namespace {
 
-constexpr double kThere_rad = 0.05;
-constexpr double kLongest_s = 4.0;  // a head that does not get there is not waited for
+constexpr double kThere_rad = 0.05;  // by hand, 3 degrees of the 43 of the view
+constexpr double kLongest_s = 4.0;   // by hand: a head that does not get there is not waited for
 
 }  // namespace
 

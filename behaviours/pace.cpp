@@ -9,19 +9,38 @@
 namespace striate {
 namespace {
 
-constexpr double kStep_m = 0.1;
-constexpr double kFineStep_m = 0.05;
-constexpr double kHole_m = 0.15;  // a column or two without a match
+// "By hand": README.md, "Where the numbers come from".
+
+constexpr double kStep_m = 0.1;       // that of the planned way, PathPlanner::kStep_m
+constexpr double kFineStep_m = 0.05;  // a patch of the map, LocalGrid::kCell_m
+constexpr double kHole_m = 0.15;      // a column or two without a match
+constexpr double kAside_m = 0.15;     // by hand: two of three samples across must be free
+// From 0.75 m/s the robot stops within 1.0 m (0.4 m/s2 after 0.35 s): farther than that is enough.
 constexpr double kLook_m = 3.0;
-constexpr double kNear_m = 2.0;
+constexpr double kNear_m = 2.0;         // by hand: where unknown floor makes the head look down
 constexpr double kUnknownRun_m = 0.35;  // so much unknown in a row ends what is known free
-constexpr float kMoves = 0.36F;
+// By hand: the stop is planned with a fifth of the deceleration in reserve, and ends before.
+constexpr double kBrakeShare = 0.8;
+constexpr double kStopBefore_m = 0.10;
+constexpr double kUnderBumper_m = 0.1;  // by hand: before the front end, below the view: passed
+// By hand: margins count so far along the way (1.2 s at 0.75 m/s); at this margin the robot is at
+// its slowest, a little above what a gap must leave (DrivingSettings::least_margin_m).
+constexpr double kMarginsTo_m = 0.9;
+constexpr double kNarrowest_m = 0.08;
+constexpr double kEdgeTrust_m = 0.10;  // by hand: an edge may be a wall, but is less likely one
+// Movers. Just above the level to which memory/evidence.cpp calms quickly what stays (kSettled).
+constexpr float kMoves = 0.36F;        // 0 still .. 1 moving
+constexpr double kMoversTo_m = 2.6;    // each way: all within PaceSettings::moving_slow_m and more
+constexpr double kBeforeAxle_m = 0.1;  // by hand: what is beside or behind is not waited for
+constexpr int kMoverPatches = 3;       // a person is many patches wide, a flicker one or two
+constexpr double kLane_m = 0.7;        // by hand: the robot's half width and half a metre
+constexpr double kMoverShare = 0.6;    // by hand: of the full speed when something moves ahead
+// `striate trial`, corridor_a to c and hard_dark_people: stood before slow movers for ever without.
 constexpr double kCreep_m_s = 0.10;
-constexpr double kEdgeTrust_m = 0.10;
 
 bool seen_free(const FloorField& field, Point2 middle, double ux, double uy) {
   int free = 0;
-  for (const double aside_m : {-0.15, 0.0, 0.15}) {
+  for (const double aside_m : {-kAside_m, 0.0, kAside_m}) {
     const Point2 place{middle.x_m - aside_m * uy, middle.y_m + aside_m * ux};
     free += field.state(place) == FloorState::free;
   }
@@ -84,7 +103,7 @@ struct Margins {
 
 Margins margins_of_next(const FloorField& field, const Way& way, double half_width_m) {
   Margins least;
-  for (double s = 0.0; s <= 0.9; s += kStep_m) {
+  for (double s = 0.0; s <= kMarginsTo_m; s += kStep_m) {
     const Point2 place = Steering::point_at(way, s);
     // The edge of what is known may be a wall, but is less likely one.
     const double edge_m = field.seen_clearance_m(place) + kEdgeTrust_m;
@@ -97,9 +116,8 @@ Margins margins_of_next(const FloorField& field, const Way& way, double half_wid
 }  // namespace
 
 Mover nearest_mover(const ShortTermMemory& memory, double half_lane_m) {
-  constexpr double kReach_m = 2.6;
   const LocalGrid& grid = memory.map();
-  const int reach = static_cast<int>(kReach_m / LocalGrid::kCell_m);
+  const int reach = static_cast<int>(kMoversTo_m / LocalGrid::kCell_m);
   const GridCell middle = LocalGrid::cell_of({memory.pose().x_m, memory.pose().y_m});
   Mover nearest;
   int cells = 0;
@@ -107,7 +125,7 @@ Mover nearest_mover(const ShortTermMemory& memory, double half_lane_m) {
     for (int x = middle.x - reach; x <= middle.x + reach; ++x) {
       if (grid.moving({x, y}) < kMoves || grid.state({x, y}) != FloorState::occupied) continue;
       const Point2 place = to_inner(memory.pose(), LocalGrid::centre_of({x, y}));
-      if (place.x_m < 0.1 || std::abs(place.y_m) > half_lane_m) continue;
+      if (place.x_m < kBeforeAxle_m || std::abs(place.y_m) > half_lane_m) continue;
       ++cells;
       const double distance_m = std::hypot(place.x_m, place.y_m);
       if (distance_m < nearest.distance_m) {
@@ -115,33 +133,34 @@ Mover nearest_mover(const ShortTermMemory& memory, double half_lane_m) {
       }
     }
   }
-  // A person is many patches wide; a flicker of the map is one or two.
-  return cells >= 3 ? nearest : Mover{};
+  return cells >= kMoverPatches ? nearest : Mover{};
 }
 
 Pace pace_for(const PaceSettings& settings, const RobotDescription& robot,
               const ShortTermMemory& memory, const FloorField& field, const Way& way) {
   Pace pace;
   pace.speed_m_s = robot.max_forward_m_s;
-  measure_known(field, way, robot.front_m + 0.1, pace);
-  const double known = stopping_speed(pace.known_free_m - robot.front_m - 0.10,
-                                      0.8 * robot.max_acceleration_m_s2, settings.latency_s);
+  measure_known(field, way, robot.front_m + kUnderBumper_m, pace);
+  const double known =
+      stopping_speed(pace.known_free_m - robot.front_m - kStopBefore_m,
+                     kBrakeShare * robot.max_acceleration_m_s2, settings.latency_s);
   cap(pace, std::max(known, settings.unknown_m_s), "the floor ahead is not seen free");
 
-  const double straight = stopping_speed(free_straight_on_m(field, memory.pose(), robot),
-                                         0.8 * robot.max_acceleration_m_s2, settings.latency_s);
+  const double straight =
+      stopping_speed(free_straight_on_m(field, memory.pose(), robot),
+                     kBrakeShare * robot.max_acceleration_m_s2, settings.latency_s);
   cap(pace, std::max(straight, settings.unknown_m_s), "it is not free straight on");
 
   const Margins margins = margins_of_next(field, way, robot.half_width_m);
   const auto roomy = [&robot](double margin_m, double roomy_m, double least_m_s) {
-    const double share = std::clamp((margin_m - 0.08) / (roomy_m - 0.08), 0.0, 1.0);
+    const double share = std::clamp((margin_m - kNarrowest_m) / (roomy_m - kNarrowest_m), 0.0, 1.0);
     return least_m_s + share * (robot.max_forward_m_s - least_m_s);
   };
   cap(pace, roomy(margins.things_m, settings.roomy_m, settings.narrow_m_s), "it is narrow");
   cap(pace, roomy(margins.edges_m, settings.seen_beside_m, settings.unknown_m_s),
       "little is known beside the way");
 
-  const Mover mover = nearest_mover(memory, 0.7);
+  const Mover mover = nearest_mover(memory, kLane_m);
   pace.mover_m = mover.distance_m;
   pace.mover_rad = mover.bearing_rad;
   const double apart = (mover.distance_m - settings.moving_stop_m) /
@@ -149,7 +168,7 @@ Pace pace_for(const PaceSettings& settings, const RobotDescription& robot,
   if (apart < 1.0) {
     pace.waits_for_mover = apart <= 0.0;
     // Between standing and the first speed that gets anywhere there is nothing.
-    const double slowed_m_s = std::max(kCreep_m_s, apart * robot.max_forward_m_s * 0.6);
+    const double slowed_m_s = std::max(kCreep_m_s, apart * robot.max_forward_m_s * kMoverShare);
     cap(pace, pace.waits_for_mover ? 0.0 : slowed_m_s, "something moves ahead");
   }
   return pace;

@@ -7,25 +7,42 @@
 namespace striate {
 namespace {
 
-constexpr float kClosed = -1.0F;
+constexpr float kClosed = -1.0F;  // a mark, no price: prices are above 0
 constexpr float kInfinite = std::numeric_limits<float>::infinity();
-constexpr double kComfort_m = 0.35;     // margin beside the flanks that costs nothing
-constexpr double kCrowdingPrice = 5.0;  // at no margin at all
+// Prices are those of a metre, in metres of free open floor. By hand (README.md, "Where the numbers
+// come from") unless it says otherwise; Planning.* in tests/unit/behaviours holds what they bring
+// about.
+
+// Margin beside the flanks that costs nothing (that at which `pace` is full,
+// PaceSettings::roomy_m), and the price at no margin at all.
+constexpr double kComfort_m = 0.35;
+constexpr double kCrowdingPrice = 5.0;
+// Unknown floor is dear; beyond the corridor's width, by more than the corridor's place errs, it is
+// hardly a way.
 constexpr double kUnknownPrice = 1.4;
 constexpr double kOutsidePrice = 6.0;
 constexpr double kOutsideTolerance_m = 0.15;
+// The edge of seen floor weighs nearly like things, up to PaceSettings::seen_beside_m.
 constexpr double kEdgePrice = 4.0;
+constexpr double kEdgeComfort_m = 0.25;
+// Between a thing nearer than this and an edge: dearer than all else, so other ways come first.
 constexpr double kSqueezePrice = 10.0;
 constexpr double kSqueeze_m = 0.15;
-constexpr double kEdgeComfort_m = 0.25;
-constexpr double kOffLinePrice = 0.30;  // per square metre off the wanted line
+// Per square metre off the wanted line; at most a little less than unknown floor costs.
+constexpr double kOffLinePrice = 0.30;
 constexpr double kOffLineMost = 1.2;
-constexpr double kHabit = 0.80;     // on the way chosen before
-constexpr int kHabitReach = 3;      // cells
-constexpr double kEscape_m = 0.35;  // round the robot nothing is closed: it stands there
+// Times the price within 0.3 m (3 cells) of the way chosen before: Planning.KeepsTheSideItChose.
+constexpr double kHabit = 0.80;
+constexpr int kHabitReach = 3;
+// Round the robot nothing is closed, it stands there: its circle about the axle, 0.37 m, in
+// patches.
+constexpr double kEscape_m = 0.35;
 constexpr double kEscapePrice = 8.0;
-constexpr double kLeastAdvance_m = 0.45;  // a way that gets less far is none
-constexpr float kProgressWorth = 5.0F;    // price that a metre of advance may cost
+constexpr double kLeastAdvance_m = 0.45;  // by hand: a way that gets less far is none
+// Price that a metre of advance may cost: above unknown floor (2.4), below no margin at all (6).
+constexpr float kProgressWorth = 5.0F;
+// The root of two to nine digits: a diagonal step. With more digits runs would differ.
+constexpr double kDiagonal = 1.41421356;
 
 }  // namespace
 
@@ -121,7 +138,7 @@ void PathPlanner::relax(int node, float cost, int along, int aside) {
   const float price = price_[static_cast<std::size_t>(next)];
   if (price < 0.0F) return;
   const bool diagonal = along != node / kWide && aside != node % kWide;
-  const auto length_m = static_cast<float>(diagonal ? kStep_m * 1.41421356 : kStep_m);
+  const auto length_m = static_cast<float>(diagonal ? kStep_m * kDiagonal : kStep_m);
   const float total =
       cost + 0.5F * length_m * (price + std::max(0.0F, price_[static_cast<std::size_t>(node)]));
   if (total >= cost_[static_cast<std::size_t>(next)]) return;

@@ -6,12 +6,24 @@
 namespace striate {
 namespace {
 
+// To stop from 0.75 m/s takes 0.68 m (0.5 m/s2 after 0.15 s), the outline reaches 0.37 m from the
+// axle and stands 0.06 m off: 1.1 m, and some room.
 constexpr double kSight_m = 1.4;
-constexpr double kStep_s = 0.05;
-constexpr double kHorizon_s = 2.0;
-constexpr double kDeeper_m = 0.004;  // nearer by this much is towards, not along
-constexpr double kExact_m = 1e-6;
+constexpr double kStep_s = 0.05;     // at 0.75 m/s 0.04 m, less than a patch of the map
+constexpr double kHorizon_s = 2.0;   // to stop from 0.75 m/s takes 1.65 s
+constexpr double kInside_m = -0.02;  // half a patch: what is farther inside is an error of the map
+// By hand (README.md, "Where the numbers come from"): nearer by this much is towards, not along;
+// less than a tenth of a patch.
+constexpr double kDeeper_m = 0.004;
+constexpr double kExact_m = 1e-6;    // the rounding of metres, no distance
+constexpr double kFirstSteps = 1.5;  // of kStep_s: the first step and not the second
+// By hand: slower motion touches nothing; turning, the farthest corner then makes 0.02 m/s.
 constexpr double kMoves_m_s = 0.01;
+constexpr double kTurns_rad_s = 0.05;
+constexpr double kStopsBelow = 0.05;      // by hand: share of the speed that is called a stop
+constexpr double kOldPictureLeast = 0.2;  // by hand: share of the speed, until it is too old
+constexpr double kSteppedIn = 0.5;  // by hand: took more than half of the speed, as README.md says
+constexpr double kLongestStep_s = 0.5;  // by hand, five cycles: after a pause no leap of speed
 
 double outer_speed(double forward_m_s, double turn_rad_s, double radius_m) {
   return std::abs(forward_m_s) + std::abs(turn_rad_s) * radius_m;
@@ -73,7 +85,7 @@ double SafetyLimiter::free_share(const std::vector<Point2>& points, const Motion
   double first_s = kHorizon_s;
   for (const Point2& point : points) {
     const double now_m = footprint_.distance_m(point);
-    if (now_m < -0.02) continue;  // inside the robot: an error of the map, not a thing
+    if (now_m < kInside_m) continue;  // inside the robot: an error of the map, not a thing
     if (now_m - speed * first_s > stop_m) continue;
     // A patch of the map is 5 cm wide, so a little nearer to it means nothing. An echo is a point:
     // the little would be taken anew in every cycle, and end in a touch. For the same reason the
@@ -81,7 +93,7 @@ double SafetyLimiter::free_share(const std::vector<Point2>& points, const Motion
     const bool exact = nearness == Nearness::exact;
     const double left = std::clamp(now_m / std::max(stop_m, kExact_m), 0.0, 1.0);
     const double deeper_m = exact ? kDeeper_m * left + kExact_m : kDeeper_m;
-    const double until_s = exact ? std::max(first_s, 1.5 * kStep_s) : first_s;
+    const double until_s = exact ? std::max(first_s, kFirstSteps * kStep_s) : first_s;
     for (double t = kStep_s; t < until_s; t += kStep_s) {
       const Pose2 pose = along_arc({}, motion.forward_m_s, motion.turn_rad_s, t);
       const double then_m = footprint_.distance_m(to_inner(pose, point));
@@ -98,14 +110,15 @@ void SafetyLimiter::limit_by_state(const Motion& motion, const Senses& senses,
                                    const ShortTermMemory& memory, Scale& scale) {
   gather_memory(memory);
   const double share = free_share(remembered_, motion, settings_.stop_m, Nearness::rough);
-  scale.lower(share, share < 0.05 ? LimitReason::memory_stop : LimitReason::slow_zone);
+  scale.lower(share, share < kStopsBelow ? LimitReason::memory_stop : LimitReason::slow_zone);
 
   const double age_s = memory.picture_age_s();
   if (age_s > settings_.picture_slow_s) {
     const double span_s = std::max(1e-3, settings_.picture_stop_s - settings_.picture_slow_s);
-    const double fresh = age_s > settings_.picture_stop_s
-                             ? 0.0
-                             : std::max(0.2, (settings_.picture_stop_s - age_s) / span_s);
+    const double fresh =
+        age_s > settings_.picture_stop_s
+            ? 0.0
+            : std::max(kOldPictureLeast, (settings_.picture_stop_s - age_s) / span_s);
     scale.lower(fresh, LimitReason::picture_old);
   }
   // A body without a gauge says 0 V.
@@ -135,16 +148,16 @@ void SafetyLimiter::limit_by_emergency(const Motion& motion, const Senses& sense
     emergency.lower(0.0, senses.bumper ? LimitReason::bumper : LimitReason::stalled);
   }
   const bool moves =
-      std::abs(motion.forward_m_s) > kMoves_m_s || std::abs(motion.turn_rad_s) > 0.05;
-  const bool active =
-      moves && emergency.reason != LimitReason::stalled && emergency.factor < 0.5 * scale.factor;
+      std::abs(motion.forward_m_s) > kMoves_m_s || std::abs(motion.turn_rad_s) > kTurns_rad_s;
+  const bool active = moves && emergency.reason != LimitReason::stalled &&
+                      emergency.factor < kSteppedIn * scale.factor;
   if (active && !emergency_active_) ++emergency_stops_;
   emergency_active_ = active;
   scale = emergency;
 }
 
 MotorCommand SafetyLimiter::accelerate(const Motion& wanted, Duration step) {
-  const double step_s = std::clamp(to_seconds(step), 0.0, 0.5);
+  const double step_s = std::clamp(to_seconds(step), 0.0, kLongestStep_s);
   const auto ease = [step_s](double from, double to, double limit) {
     // Braking is never delayed; only growing speed is.
     const bool brakes = std::abs(to) <= std::abs(from) && from * to >= 0.0;

@@ -10,20 +10,20 @@
 
 namespace striate {
 
-/// Ours.
+/// Ours, by hand (README.md, "Where the numbers come from").
 struct SafetyLimiterSettings {
   bool emergency_layer = true;
-  double stop_m = 0.06;
-  double emergency_stop_m = 0.04;
-  double slow_m = 0.60;
-  double slow_m_s = 0.30;
-  double latency_s = 0.15;
-  double picture_slow_s = 0.25;
-  double picture_stop_s = 0.50;
-  double lease_s = 0.20;
+  double stop_m = 0.06;            ///< as DrivingSettings::least_margin_m: what is planned may pass
+  double emergency_stop_m = 0.04;  ///< ranges are exact: nearer than stop_m, so passing is no stop
+  double slow_m = 0.60;            ///< about the way to stop from 0.70 m/s
+  double slow_m_s = 0.30;          ///< stops within 0.14 m
+  double latency_s = 0.15;         ///< command 0.06 s and a cycle of 0.1 s
+  double picture_slow_s = 0.25;    ///< a picture arrives after 0.085 s; one or two were lost
+  double picture_stop_s = 0.50;    ///< 0.33 m at 0.65 m/s
+  double lease_s = 0.20;           ///< two cycles; the arbiter's own is the same
   double stall_pause_s = 1.0;
-  double battery_slow_v = 11.2;
-  double battery_stop_v = 10.8;
+  double battery_slow_v = 11.2;  ///< of a lead-acid battery of 12 V
+  double battery_stop_v = 10.8;  ///< six cells of 1.8 V, where discharging harms them
   double battery_slow_m_s = 0.20;
 };
 

@@ -10,11 +10,17 @@
 namespace striate {
 namespace {
 
-constexpr Duration kNow = std::chrono::milliseconds(1000);  // so fresh is "in sight"
+// "By hand": README.md, "Where the numbers come from"; the tests are SeekLandmark.*.
+
+constexpr Duration kNow = std::chrono::milliseconds(1000);  // by hand: so fresh is "in sight"
+// By hand: a first recognition is looked at while it is fresh, half of confirming_time of the
+// landmark memory, and a little longer than confirming_time in all.
 constexpr double kCandidateFresh_s = 1.5;
 constexpr double kCandidateLongest_s = 4.0;
-constexpr double kEndWay_m = 1.2;  // a way no longer than this is a dead end ...
-constexpr double kEnd_s = 3.0;     // ... when it stays so
+// By hand: a way no longer than this is a dead end when it stays so, while the robot faces along
+// the corridor within 29 degrees.
+constexpr double kEndWay_m = 1.2;
+constexpr double kEnd_s = 3.0;
 constexpr double kAligned_rad = 0.5;
 
 }  // namespace

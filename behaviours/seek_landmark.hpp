@@ -17,12 +17,12 @@ class SeekLandmark : public Behaviour {
  public:
   struct Settings {
     std::string landmark;
-    double step_m = 1.2;
-    double sweep_rad = 0.96;
-    double dwell_s = 0.6;
-    int regions = 3;
-    double speed_m_s = 0.40;
-    int turns = 2;
+    double step_m = 1.2;      ///< by hand: three seconds of driving
+    double sweep_rad = 0.96;  ///< with half the view (0.375 rad) 76 degrees to either side
+    double dwell_s = 0.6;     ///< by hand: several looks, and three confirm
+    int regions = 3;          ///< by hand, of the seven that memory holds
+    double speed_m_s = 0.40;  ///< by hand, below the 0.45 m/s of a known corridor
+    int turns = 2;            ///< by hand: both ends are seen
     DrivingSettings driving{};
   };
   static constexpr const char* kMain = "landmark";

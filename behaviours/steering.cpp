@@ -7,20 +7,46 @@
 namespace striate {
 namespace {
 
+// "By hand": README.md, "Where the numbers come from".
+
+// By hand. Pure pursuit cuts corners the more the farther it looks, and swings the nearer: 1 m at
+// 0.45 m/s, and the least where the way has less margin than kTightWay_m.
 constexpr double kLookaheadLeast_m = 0.55;
 constexpr double kLookaheadPerSpeed_s = 1.0;
+constexpr double kTightWay_m = 0.15;
+constexpr double kNearestTarget_m = 0.1;  // by hand: nearer, the curvature would leap
+// By hand: a target farther aside is faced first. How briskly, with at most
+// three quarters of the turn rate that the body allows.
 constexpr double kTurnInPlace_rad = 0.9;
 constexpr double kMostTurn_rad_s = 0.9;
-constexpr double kRollOut_s = 1.4;
-constexpr double kRollStep_s = 0.1;
-constexpr double kEdgeLook_s = 1.0;
-constexpr double kSqueezed_m = 0.10;
+constexpr double kTurnGain_1_s = 1.2;
+// On the spot, by hand: more calmly; and only a turn round may also go the other way.
+constexpr double kMostTurnInPlace_rad_s = 0.7;
+constexpr double kTurnRound_rad = 2.0;
+// By hand: slower the farther aside the target, but never below a share; and curvature counts as at
+// a speed at least, or a robot that stands would never turn.
+constexpr double kEasing = 1.3;  // factor of the target's angle
+constexpr double kEasedLeast = 0.3;
+constexpr double kCurvedAt_m_s = 0.15;
+constexpr double kRollOut_s = 1.4;    // to stop from 0.65 m/s at 0.5 m/s2 takes 1.3 s
+constexpr double kRollStep_s = 0.1;   // a cycle; 0.065 m at 0.65 m/s
+constexpr double kEdgeLook_s = 1.0;   // by hand: where on the arc the seen floor is looked at
+constexpr double kSqueezed_m = 0.10;  // by hand: less room is no room where an edge is, too
+// By hand. `striate trial`, 60 m, when it came together with denser stereo and kHeadDriving_rad:
+// corridor_b seed 2 had no emergency stop instead of 4, corridor_a seed 9 and corridor_c seed 5 no
+// touch.
 constexpr double kRoomBefore_m = 0.15;
 constexpr double kWallRoom_m = 0.12;    // the place of a remembered wall errs by about this
-constexpr double kAlongWall_m = 0.003;  // a step that comes nearer by less leads along
+constexpr double kAlongWall_m = 0.003;  // a step's least approach: at 0.65 m/s 2.6 degrees
+// By hand: turn rates tried beside the wanted one, and shares of the speed; finer near the wanted.
 constexpr std::array<double, 11> kTurnOffsets{0.0,  0.08, -0.08, 0.18, -0.18, 0.3,
                                               -0.3, 0.5,  -0.5,  0.8,  -0.8};
 constexpr std::array<double, 3> kSpeedShares{1.0, 0.6, 0.3};
+// By hand: what an arc costs beside its offset in rad/s, for no room left, an edge of seen floor at
+// the flank, and all speed given up.
+constexpr double kCrowdingPrice = 0.8;
+constexpr double kEdgingPrice = 0.7;
+constexpr double kSlownessPrice = 0.5;
 
 }  // namespace
 
@@ -83,11 +109,12 @@ bool Steering::keeps_off_walls(const Pose2& robot, const Candidate& candidate,
 
 Drive Steering::turn_in_place(double angle_rad, const FloorField& field, const Pose2& robot,
                               double least_clearance_m) const {
-  const double rate = std::clamp(1.2 * angle_rad, -0.7, 0.7);
+  const double rate =
+      std::clamp(kTurnGain_1_s * angle_rad, -kMostTurnInPlace_rad_s, kMostTurnInPlace_rad_s);
   for (const double sign : {1.0, -1.0}) {
     const double clear_m = roll_out(field, robot, {0.0, sign * rate}, least_clearance_m);
     if (clear_m >= 0.0) return {true, 0.0, sign * rate, clear_m};
-    if (std::abs(angle_rad) < 2.0) break;  // only a turn round may go the other way
+    if (std::abs(angle_rad) < kTurnRound_rad) break;  // only a turn round may go the other way
   }
   return {};
 }
@@ -97,21 +124,21 @@ Drive Steering::follow(const Way& way, const FloorField& field, const Pose2& rob
   const double speed_m_s = limits.speed_m_s;
   const double least_clearance_m = limits.least_clearance_m;
   double lookahead_m = kLookaheadLeast_m + kLookaheadPerSpeed_s * speed_m_s;
-  if (way.least_margin_m < 0.15) lookahead_m = kLookaheadLeast_m;
+  if (way.least_margin_m < kTightWay_m) lookahead_m = kLookaheadLeast_m;
   const Point2 target = to_inner(robot, point_at(way, lookahead_m));
-  const double distance_m = std::max(0.1, std::hypot(target.x_m, target.y_m));
+  const double distance_m = std::max(kNearestTarget_m, std::hypot(target.x_m, target.y_m));
   const double angle_rad = std::atan2(target.y_m, target.x_m);
   if (std::abs(angle_rad) > kTurnInPlace_rad) {
     return turn_in_place(angle_rad, field, robot, least_clearance_m);
   }
   const double curvature = 2.0 * std::sin(angle_rad) / distance_m;
-  const double eased_m_s = speed_m_s * std::max(0.3, std::cos(1.3 * angle_rad));
+  const double eased_m_s = speed_m_s * std::max(kEasedLeast, std::cos(kEasing * angle_rad));
   Drive best;
   double least = 1e9;
   for (const double share : kSpeedShares) {
     const double forward = share * eased_m_s;
     const double wanted =
-        std::clamp(curvature * std::max(forward, 0.15), -kMostTurn_rad_s, kMostTurn_rad_s);
+        std::clamp(curvature * std::max(forward, kCurvedAt_m_s), -kMostTurn_rad_s, kMostTurn_rad_s);
     for (const double offset : kTurnOffsets) {
       const Candidate candidate{forward, wanted + offset};
       const double clear_m = roll_out(field, robot, candidate, least_clearance_m);
@@ -122,8 +149,8 @@ Drive Steering::follow(const Way& way, const FloorField& field, const Pose2& rob
       const double edge_m = footprint_.seen_clearance_m(field, end);
       if (!limits.daring && clear_m < kSqueezed_m && edge_m <= 0.0) continue;
       const double edging = std::max(0.0, 1.0 - edge_m / wanted_clearance_m_);
-      const double score =
-          std::abs(offset) + 0.8 * crowding * crowding + 0.7 * edging + 0.5 * (1.0 - share);
+      const double score = std::abs(offset) + kCrowdingPrice * crowding * crowding +
+                           kEdgingPrice * edging + kSlownessPrice * (1.0 - share);
       if (score < least) {
         least = score;
         best = {true, candidate.forward_m_s, candidate.turn_rad_s, clear_m};

@@ -6,9 +6,21 @@
 namespace striate {
 namespace {
 
-constexpr double kArrived_m = 0.01;
-constexpr double kBlockedAfter_s = 5.0;
+// "By hand": README.md, "Where the numbers come from"; tests: DriveStraight.* and BackUp.*.
+
+constexpr double kArrived_m = 0.01;      // by hand: a quarter of a second at the slowest
+constexpr double kFarther_m = 0.02;      // by hand: twice an arrival
+constexpr double kBlockedAfter_s = 5.0;  // by hand: no farther for so long
+constexpr double kWaitsAfter_s = 2.0;    // by hand: says so before it gives up
+// By hand: eased with 60 % of the body's deceleration, to a speed below it by more than a cycle
+// takes off (0.03 m/s), but no slower than the last.
 constexpr double kEasing_m_s2 = 0.3;
+constexpr double kEasedBelow_m_s = 0.05;
+constexpr double kLeast_m_s = 0.04;
+// By hand, back onto the line: turn rate per radian off its direction, per metre aside, and most.
+constexpr double kHeadingGain_1_s = 1.5;
+constexpr double kAsideGain_rad_m_s = 1.0;
+constexpr double kMostTurn_rad_s = 0.5;
 
 }  // namespace
 
@@ -24,7 +36,7 @@ Wish StraightLine::tick(const ShortTermMemory& memory) {
   const double made_m = sign * moved.x_m;
   const double left_m = distance_m_ - made_m;
   if (left_m <= kArrived_m) return final_wish(memory, Progress::succeeded, "the way is made");
-  if (made_m > farthest_m_ + 0.02) {
+  if (made_m > farthest_m_ + kFarther_m) {
     farthest_m_ = made_m;
     farthest_at_ = memory.now();
   }
@@ -32,11 +44,14 @@ Wish StraightLine::tick(const ShortTermMemory& memory) {
     return final_wish(memory, Progress::failed, "something is in the way");
   }
   Wish wish = standing_wish(memory, sign > 0.0 ? "drives straight" : "backs up");
-  const double eased = std::max(0.04, std::sqrt(2.0 * kEasing_m_s2 * left_m) - 0.05);
+  const double eased =
+      std::max(kLeast_m_s, std::sqrt(2.0 * kEasing_m_s2 * left_m) - kEasedBelow_m_s);
   wish.forward_m_s = sign * std::min(std::abs(speed_m_s_), eased);
   const double aside = sign * moved.y_m;  // steer back onto the line, also when driving back
-  wish.turn_rad_s = std::clamp(-1.5 * moved.heading_rad - 1.0 * aside, -0.5, 0.5);
-  if (to_seconds(memory.now() - farthest_at_) > 2.0) wish.why = "waits: something is in the way";
+  wish.turn_rad_s = std::clamp(-kHeadingGain_1_s * moved.heading_rad - kAsideGain_rad_m_s * aside,
+                               -kMostTurn_rad_s, kMostTurn_rad_s);
+  if (to_seconds(memory.now() - farthest_at_) > kWaitsAfter_s)
+    wish.why = "waits: something is in the way";
   return wish;
 }
 

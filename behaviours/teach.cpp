@@ -6,13 +6,19 @@
 namespace striate {
 namespace {
 
-constexpr double kAhead_rad = 0.4;  ///< what is farther aside is not what is meant
-constexpr double kFarthest_m = 3.0;
-constexpr int kLeastHits = 3;
-constexpr double kChooses_s = 6.0;
-constexpr double kSettles_s = 0.8;  ///< longer than a picture takes to arrive
-constexpr double kThere_m = 0.12;
-constexpr double kSpeed_m_s = 0.25;
+// "By hand": README.md, "Where the numbers come from". Looked at on `striate trial --objects`,
+// whose result is in tests/evaluation/README.md, "Things taught live".
+
+constexpr double kAhead_rad = 0.4;   // half the view: what is farther aside is not what is meant
+constexpr double kFarthest_m = 3.0;  // by hand: recognition reaches 2.5 m (`trial --objects`)
+constexpr int kLeastHits = 3;        // by hand, as many looks as confirm a landmark
+constexpr double kChooses_s = 6.0;   // by hand: nothing has stood out for so long
+constexpr double kSettles_s = 0.8;   // by hand: longer than a picture takes to arrive
+constexpr double kThere_m = 0.12;    // by hand: a place this near is not driven to
+constexpr double kSpeed_m_s = 0.25;  // by hand: that of unknown floor, PaceSettings::unknown_m_s
+// By hand: faster than this it does not stand still, and the picture may be blurred.
+constexpr double kStill_m_s = 0.01;
+constexpr double kStill_rad_s = 0.02;
 
 double bearing_of(const Point2& place, const ShortTermMemory& memory) {
   const Point2 here = to_inner(memory.pose(), place);
@@ -81,7 +87,8 @@ Wish Teach::choose(const ShortTermMemory& memory) {
 }
 
 Wish Teach::settle(const ShortTermMemory& memory) {
-  const bool moves = std::abs(memory.forward_m_s()) > 0.01 || std::abs(memory.turn_rad_s()) > 0.02;
+  const bool moves =
+      std::abs(memory.forward_m_s()) > kStill_m_s || std::abs(memory.turn_rad_s()) > kStill_rad_s;
   if (moves) since_ = memory.now();
   if (to_seconds(memory.now() - since_) < kSettles_s) {
     return with_head(standing_wish(memory, "looks at it"), memory);
@@ -116,6 +123,7 @@ void Teach::turn_towards(const Point2& place, const ShortTermMemory& memory, Pha
 
 /// The first view is from where the robot is; then from nearer, and from the sides.
 Point2 Teach::place_of_view(int number) const {
+  // By hand: shares of `aside` and of `near`; the last two only where more than four are asked for.
   static constexpr double kAside[] = {0.0, 0.0, 1.0, -1.0, -0.5, 0.5};
   static constexpr double kAway[] = {1.0, 1.0, 1.08, 1.08, 1.3, 1.3};
   const auto k = static_cast<std::size_t>(number);

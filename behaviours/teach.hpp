@@ -16,9 +16,9 @@ namespace striate {
 class Teach : public Behaviour {
  public:
   struct Settings {
-    int views = 4;
-    double near_m = 1.05;
-    double aside_rad = radians(25.0);
+    int views = 4;         ///< with these eight of eight things were found: `trial --objects`
+    double near_m = 1.05;  ///< by hand: about the nearest distance of `trial --objects`
+    double aside_rad = radians(25.0);  ///< by hand: two views 50 degrees apart
     double tilt_rad = kRestingTilt_rad;
   };
   /// The reason of the wish in the cycle whose picture is to be kept.

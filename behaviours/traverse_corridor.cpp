@@ -6,6 +6,7 @@
 namespace striate {
 namespace {
 
+// By hand, a standard deviation: half the room beside the robot in a gap of 1.2 m.
 constexpr double kSureOffset_m = 0.20;
 
 }  // namespace

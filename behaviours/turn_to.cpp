@@ -6,9 +6,18 @@
 namespace striate {
 namespace {
 
-constexpr double kArrived_rad = 0.03;
-constexpr double kBlockedAfter_s = 5.0;
+// "By hand": README.md, "Where the numbers come from"; the tests are TurnTo.*.
+
+constexpr double kArrived_rad = 0.03;    // by hand, 1.7 degrees
+constexpr double kStands_rad_s = 0.1;    // by hand: faster than this it would turn past
+constexpr double kNearer_rad = 0.03;     // by hand, as much as an arrival
+constexpr double kBlockedAfter_s = 5.0;  // by hand: no nearer for so long
+// By hand: eased with 40 % of the body's turn acceleration, to a speed below it by about what a
+// cycle takes off (0.08 rad/s), but no slower than the last.
 constexpr double kEasing_rad_s2 = 0.8;
+constexpr double kEasedBelow_rad_s = 0.1;
+constexpr double kLeast_rad_s = 0.06;
+constexpr double kMostPan_rad = 0.8;  // by hand: the head goes before, a view's width at most
 
 }  // namespace
 
@@ -29,10 +38,10 @@ Wish TurnTo::tick(const ShortTermMemory& memory) {
   left_rad_ -= wrap_angle(memory.pose().heading_rad - last_heading_rad_);
   last_heading_rad_ = memory.pose().heading_rad;
   const double far_rad = std::abs(left_rad_);
-  if (far_rad < kArrived_rad && std::abs(memory.turn_rad_s()) < 0.1) {
+  if (far_rad < kArrived_rad && std::abs(memory.turn_rad_s()) < kStands_rad_s) {
     return final_wish(memory, Progress::succeeded, "turned");
   }
-  if (far_rad < least_left_rad_ - 0.03) {
+  if (far_rad < least_left_rad_ - kNearer_rad) {
     least_left_rad_ = far_rad;
     least_left_at_ = memory.now();
   }
@@ -40,12 +49,13 @@ Wish TurnTo::tick(const ShortTermMemory& memory) {
     return final_wish(memory, Progress::failed, "cannot turn here");
   }
   Wish wish = standing_wish(memory, "turns");
-  const double eased = std::max(0.06, std::sqrt(2.0 * kEasing_rad_s2 * far_rad) - 0.1);
+  const double eased =
+      std::max(kLeast_rad_s, std::sqrt(2.0 * kEasing_rad_s2 * far_rad) - kEasedBelow_rad_s);
   if (far_rad >= kArrived_rad) {
     wish.turn_rad_s = std::copysign(std::min(settings_.rate_rad_s, eased), left_rad_);
   }
   // The head looks where the robot will face.
-  wish.pan_rad = std::clamp(left_rad_, -0.8, 0.8);
+  wish.pan_rad = std::clamp(left_rad_, -kMostPan_rad, kMostPan_rad);
   return wish;
 }
 

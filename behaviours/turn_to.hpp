@@ -13,7 +13,7 @@ class TurnTo : public Behaviour {
   struct Settings {
     double heading_rad = 0.0;
     double by_rad = 0.0;
-    double rate_rad_s = 0.7;
+    double rate_rad_s = 0.7;  ///< by hand, below the 1.2 rad/s that the body allows
   };
   TurnTo(const Settings& settings, const RobotDescription& robot);
   void start(const ShortTermMemory& memory) override;

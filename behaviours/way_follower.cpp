@@ -11,26 +11,57 @@
 namespace striate {
 namespace {
 
+// "By hand": README.md, "Where the numbers come from".
+
+// Tilts. The eyes are 1.20 m high and half the picture is 16.5 degrees: looking down, the floor is
+// in view from 1.0 m before the axle (0.6 rad is the turret's end), glancing down from 1.4 m.
 constexpr double kLookDown_rad = -0.58;
 constexpr double kGlanceDown_rad = -0.42;
+// By hand: the head is down for the first moment, and again for so long where much is unknown.
+constexpr Duration kFirstLookDown = std::chrono::milliseconds(700);
+constexpr double kLookDownFor_s = 0.6;
+constexpr double kMuchUnknown = 0.3;  // by hand: share of the next two metres
+// By hand: five parts of 0.8 s (left high, left low, right high, right low, ahead); the turret
+// turns 1.6 rad in each.
 constexpr double kLookSweep_s = 4.0;
+// With half the view (0.375 rad) everything within 73 degrees to either side is seen.
 constexpr double kSweep_rad = 0.9;
-constexpr double kHeadTurn_rad = 0.6;
+constexpr double kHeadTurn_rad = 0.6;  // by hand: standing, the eyes may leave the lane
 // Both flanks of the robot's lane, a metre on, stay in the 43 degree view: 0.375 - atan(0.21 m / 1
 // m).
 constexpr double kHeadDriving_rad = 0.16;
+constexpr double kDrives_m_s = 0.1;     // by hand: faster than this the narrow limit holds
+constexpr double kGazeAhead_m = 1.8;    // by hand: the point of the way that is looked at
+constexpr double kNearestGaze_m = 0.3;  // by hand: nearer, its bearing would leap
+// By hand, looked at on `striate trial` in corridor_a to c: people pass within some seconds; what
+// stands still does not.
 constexpr double kMoverPatience_s = 5.0;
 constexpr double kStillPatience_s = 1.0;
-constexpr double kWaitLane_m = 1.2;
-constexpr double kImpossible_s = 0.6;
-constexpr double kStart_m = 0.5;
-constexpr double kForgivenAfter_m = 1.0;  // headway that makes old troubles forgotten
-constexpr double kUnstuck_m = 0.25;
-constexpr int kTightAfter = 2;  // troubles
+constexpr double kWaitLane_m = 1.2;    // half the 2.4 m of the shipped corridors: all of it
+constexpr double kImpossible_s = 0.6;  // by hand, six cycles: a flicker of the map is no trouble
+constexpr double kStaysOpen_s = 0.5;   // by hand, five cycles: a gap that flickers is none
+constexpr double kGrace_s = 0.5;       // by hand: after backing or waiting no arc is needed sooner
+constexpr double kStart_m = 0.5;       // by hand: the first way, over floor never in view
+constexpr double kForgivenAfter_m = 1.0;  // by hand: headway that makes old troubles forgotten
+constexpr double kUnstuck_m = 0.25;       // by hand: less headway is to and fro on the spot
+// By hand: from the third trouble on 0.06 m of margin become 0.024 m, half a patch of the map.
+constexpr int kTightAfter = 2;
 constexpr double kTightShare = 0.4;
-constexpr double kHeld_s = 3.0;  // so long it wishes to move and does not
-constexpr double kStands_m_s = 0.015;
-constexpr double kStands_rad_s = 0.03;
+// By hand: steering may come nearer than the planned way, which is laid in whole cells.
+constexpr double kSteeringShare = 0.6;
+// By hand: so long it wishes to move and stands; TraverseCorridor.BacksOutSoonWhereItIsHeld...
+constexpr double kHeld_s = 3.0;
+constexpr double kStands_m_s = 0.015;        // by hand: slower than this it stands
+constexpr double kStands_rad_s = 0.03;       // by hand: the same for turning
+constexpr double kLeastSpeed_m_s = 0.03;     // by hand: a slower wish gets nowhere; it waits
+constexpr double kClearlySlower_m_s = 0.05;  // by hand: than the cruise: worth a reason
+// Backing, by hand: slowly, since no eye looks there; the outline is tried 0.15 m on (1.5 s at
+// 0.1 m/s), more than it rolls on in a latency of 0.35 s and a stop (0.06 m).
+constexpr double kBackSpeed_m_s = 0.12;
+constexpr double kBackLook_m_s = -0.1;
+constexpr double kBackLook_s = 1.5;
+constexpr double kBackClear_m = 0.03;
+constexpr double kBackLongest_s = 5.0;  // by hand: 0.35 m take 2.9 s at this speed
 
 template <class... Args>
 ShortText text(std::string_view format, const Args&... args) {
@@ -56,7 +87,7 @@ void WayFollower::start(const ShortTermMemory& memory) {
   mover_since_ = memory.now();
   free_to_move_at_ = memory.now();
   // The camera has not seen the floor before the wheels: look there before the first metre.
-  look_down_until_ = memory.now() + std::chrono::milliseconds(700);
+  look_down_until_ = memory.now() + kFirstLookDown;
   enter(State::driving, memory);
 }
 
@@ -146,7 +177,7 @@ Wish WayFollower::drive(const ShortTermMemory& memory, const Course& course) {
   wish.forward_m_s = speed;
   aim_head(memory, pace, wish);
   wish.forward_m_s = 0.0;
-  if (speed < 0.03) {
+  if (speed < kLeastSpeed_m_s) {
     impossible_since_ = memory.now();
     free_to_move_at_ = memory.now();
     wish.why = text("waits: {}", pace.reason);
@@ -170,7 +201,7 @@ Wish WayFollower::drive(const ShortTermMemory& memory, const Course& course) {
   wish.forward_m_s = drive.forward_m_s;
   wish.turn_rad_s = drive.turn_rad_s;
   aim_head(memory, pace, wish);
-  if (speed < course.cruise_m_s - 0.05) {
+  if (speed < course.cruise_m_s - kClearlySlower_m_s) {
     wish.why = text("slow: {}", dim && pace.speed_m_s > speed ? "it is dark" : pace.reason);
   }
   return wish;
@@ -196,16 +227,19 @@ void WayFollower::note_trouble(const ShortTermMemory& memory) {
 Drive WayFollower::steer(const ShortTermMemory& memory, const Course& course,
                          double speed_m_s) const {
   return steering_.follow(planner_.way(), field_, memory.pose(),
-                          {speed_m_s, 0.6 * least_margin_m(), troubles_ >= kTightAfter,
+                          {speed_m_s, kSteeringShare * least_margin_m(), troubles_ >= kTightAfter,
                            course.direction_rad, course.left_wall_m, course.right_wall_m});
 }
 
 void WayFollower::aim_head(const ShortTermMemory& memory, const Pace& pace, Wish& wish) {
-  const Point2 ahead = to_inner(memory.pose(), Steering::point_at(planner_.way(), 1.8));
-  const double most_rad = wish.forward_m_s > 0.1 ? kHeadDriving_rad : kHeadTurn_rad;
-  wish.pan_rad = std::clamp(std::atan2(ahead.y_m, std::max(0.3, ahead.x_m)), -most_rad, most_rad);
+  const Point2 ahead = to_inner(memory.pose(), Steering::point_at(planner_.way(), kGazeAhead_m));
+  const double most_rad = wish.forward_m_s > kDrives_m_s ? kHeadDriving_rad : kHeadTurn_rad;
+  wish.pan_rad =
+      std::clamp(std::atan2(ahead.y_m, std::max(kNearestGaze_m, ahead.x_m)), -most_rad, most_rad);
   if (std::isfinite(pace.mover_m)) wish.pan_rad = std::clamp(pace.mover_rad, -most_rad, most_rad);
-  if (pace.unknown_near_share > 0.3) look_down_until_ = memory.now() + from_seconds(0.6);
+  if (pace.unknown_near_share > kMuchUnknown) {
+    look_down_until_ = memory.now() + from_seconds(kLookDownFor_s);
+  }
   const bool starts = headway_m_ < kStart_m;  // the floor before the wheels was never in view
   wish.tilt_rad = memory.now() >= look_down_until_ ? kRestingTilt_rad
                   : starts                         ? kLookDown_rad
@@ -215,8 +249,8 @@ void WayFollower::aim_head(const ShortTermMemory& memory, const Pace& pace, Wish
 Wish WayFollower::wait(const ShortTermMemory& memory, const Course& course) {
   const double since_s = since_entered_s(memory);
   // A way that opens for a moment is noise: it has to stay open.
-  if (way_is_open() && since_s > 0.5) {
-    impossible_since_ = memory.now() + from_seconds(0.5);
+  if (way_is_open() && since_s > kStaysOpen_s) {
+    impossible_since_ = memory.now() + from_seconds(kGrace_s);
     const Drive drive = steer(memory, course, settings_.pace.narrow_m_s);
     if (drive.possible) enter(State::driving, memory);
   }
@@ -245,15 +279,15 @@ Wish WayFollower::look(const ShortTermMemory& memory) {
 Wish WayFollower::back(const ShortTermMemory& memory) {
   Wish wish = standing_wish(memory, "backs out");
   const Point2 moved = to_inner(entered_pose_, Point2{memory.pose().x_m, memory.pose().y_m});
-  const Pose2 behind = along_arc(memory.pose(), -0.1, 0.0, 1.5);
-  const bool clear = steering_.footprint().clearance_m(field_, behind) > 0.03 &&
+  const Pose2 behind = along_arc(memory.pose(), kBackLook_m_s, 0.0, kBackLook_s);
+  const bool clear = steering_.footprint().clearance_m(field_, behind) > kBackClear_m &&
                      free_behind_m(memory, robot_) > kRoomBehind_m;
-  if (-moved.x_m >= settings_.back_m || !clear || since_entered_s(memory) > 5.0) {
-    impossible_since_ = memory.now() + from_seconds(0.5);
+  if (-moved.x_m >= settings_.back_m || !clear || since_entered_s(memory) > kBackLongest_s) {
+    impossible_since_ = memory.now() + from_seconds(kGrace_s);
     enter(way_is_open() ? State::driving : State::waiting, memory);
     return wish;
   }
-  wish.forward_m_s = -0.12;
+  wish.forward_m_s = -kBackSpeed_m_s;
   return wish;
 }
 

@@ -10,13 +10,14 @@
 
 namespace striate {
 
-/// How the way is driven; shared by all behaviours that go somewhere.
+/// How the way is driven; shared by all behaviours that go somewhere. By hand (README.md, "Where
+/// the numbers come from").
 struct DrivingSettings {
-  double least_margin_m = 0.06;
-  double wanted_clearance_m = 0.12;
-  double patience_s = 3.0;
-  double stuck_after_s = 15.0;
-  double back_m = 0.35;
+  double least_margin_m = 0.06;      ///< gaps of 0.75 m pass, 0.50 m do not: Planning.TakesAGap...
+  double wanted_clearance_m = 0.12;  ///< twice the least
+  double patience_s = 3.0;           ///< people pass: TraverseCorridor.WaitsForSomeone...
+  double stuck_after_s = 15.0;       ///< longer than waiting (3 s) and looking round (4 s) take
+  double back_m = 0.35;              ///< room to turn the front, 0.21 m before the axle
   int tries = 6;
   PaceSettings pace;
 };

@@ -15,7 +15,7 @@ enum class Progress : std::uint8_t { running, succeeded, failed };
 /// A short text without allocation; what is too long is cut.
 class ShortText {
  public:
-  static constexpr std::size_t kCapacity = 95;
+  static constexpr std::size_t kCapacity = 95;  ///< letters: 96 bytes with the end; more is cut
   ShortText() = default;
   ShortText(std::string_view text) {  // NOLINT(google-explicit-constructor): reads like a string
     size_ = std::min(text.size(), kCapacity);

@@ -13,6 +13,7 @@
 namespace striate::config {
 namespace {
 
+/// 1 MB: three hundred times the largest file that ships; more is no configuration (ours)
 constexpr std::size_t kMaxBytes = 1'000'000;
 
 }  // namespace

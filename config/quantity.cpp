@@ -15,7 +15,7 @@ struct UnitName {
   double to_si;
 };
 
-constexpr double kDegree = std::numbers::pi / 180.0;
+constexpr double kDegree = std::numbers::pi / 180.0;  // a degree in radians
 
 /// The first name of each unit is the one that is printed.
 constexpr UnitName kUnitNames[] = {

@@ -13,7 +13,9 @@
 
 namespace striate::config {
 
+/// Far deeper than any file that ships; more is an attack on the stack (ours)
 inline constexpr int kMaxDepth = 32;
+/// Aliases may multiply a short file: far more than a file that ships has (ours)
 inline constexpr int kMaxValues = 20'000;
 
 /// Thrown where reading on makes no sense; the mistake is noted already.

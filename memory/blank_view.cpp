@@ -7,18 +7,23 @@
 namespace striate {
 namespace {
 
-constexpr double kLeastKnown = 0.12;  // share of columns that know something
-constexpr double kLeastFloor = 0.05;  // share of columns that see floor
-constexpr double kLeastTrust = 0.16;  // confidence in things, mean over columns
-constexpr double kNoisy = 1.0;        // grey levels; from here on noise alone matches
-constexpr double kAhead_rad = 0.25;   // pan while the robot drives where it looks
-constexpr int kPatience = 6;          // pictures: some may be blurred
-constexpr int kSurely = 2;            // so many does one count in which hardly anything is known
-constexpr double kMostPan_rad = 0.8;  // farther round lies the wall that is driven along
-constexpr double kFrom_m = 0.40;      // clear of the robot's own outline
-constexpr double kTo_m = 1.00;        // farther off the skirting would be in view
+// "By hand": README.md, "Where the numbers come from"; the tests are BlankView.*, the world is
+// hard_blank_wall.yaml. The shares and the trust are set for what noise matches in the dark.
+
+constexpr double kLeastKnown = 0.12;  // by hand: share of columns that know something
+constexpr double kLeastFloor = 0.05;  // by hand: share of columns that see floor
+constexpr double kLeastTrust = 0.16;  // by hand: confidence in things, mean over columns
+constexpr double kNoisy = 1.0;        // by hand, grey levels; from here on noise alone matches
+// While the robot drives where it looks, the pan is 0.16 rad at most (way_follower.cpp).
+constexpr double kAhead_rad = 0.25;
+constexpr int kPatience = 6;  // by hand, pictures: some may be blurred
+constexpr int kSurely = 2;    // by hand: so many does one count in which hardly anything is known
+constexpr double kMostPan_rad = 0.8;  // by hand: farther round lies the wall that is driven along
+constexpr double kFrom_m = 0.40;      // clear of the outline's circle about the axle, 0.37 m
+constexpr double kTo_m = 1.00;        // by hand: farther off the skirting would be in view
+// By hand, log-odds: two pictures reach what blocks (LocalGrid::kOccupiedAbove), four are enough.
 constexpr float kGain = 0.6F;
-constexpr float kEnough = 2.0F;  // log-odds
+constexpr float kEnough = 2.0F;
 constexpr double kStep_m = LocalGrid::kCell_m;
 
 /// What the columns of a picture know, as shares of all of them.

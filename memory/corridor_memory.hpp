@@ -33,7 +33,7 @@ class CorridorMemory {
   [[nodiscard]] double offset_m() const { return offset_.value; }
   [[nodiscard]] double offset_std_m() const;
   [[nodiscard]] double width_m() const { return width_m_; }
-  [[nodiscard]] bool width_known() const { return width_looks_ >= 3; }
+  [[nodiscard]] bool width_known() const { return width_looks_ >= kWidthLooks; }
   /// Way along the axis since the start.
   [[nodiscard]] double progress_m() const { return progress_m_; }
   /// Distances of the walls; kNothing_m while they were not seen for some metres.
@@ -41,6 +41,9 @@ class CorridorMemory {
   [[nodiscard]] double right_m() const { return right_.known() ? right_.distance_m : kNothing_m; }
 
  private:
+  static constexpr int kWidthLooks = 3;         ///< by hand: one or two may be wrong
+  static constexpr double kRemembered_m = 4.0;  ///< by hand: longer than a door
+  static constexpr double kFirstWidth_m = 2.4;  ///< of the shipped corridors, until it is known
   struct Estimate {
     double value = 0.0;
     double variance = 0.0;
@@ -50,7 +53,7 @@ class CorridorMemory {
   struct Wall {
     double distance_m = 0.0;
     double unseen_m = 1e9;  ///< way since it was last seen
-    [[nodiscard]] bool known() const { return unseen_m < 4.0; }
+    [[nodiscard]] bool known() const { return unseen_m < kRemembered_m; }
     void see(double seen_m);
   };
   void see_heading(double heading_rad, double std_rad);
@@ -61,7 +64,7 @@ class CorridorMemory {
   Estimate offset_;
   Wall left_;
   Wall right_;
-  double width_m_ = 2.4;
+  double width_m_ = kFirstWidth_m;
   int width_looks_ = 0;
   double progress_m_ = 0.0;
 };

@@ -7,15 +7,41 @@ namespace striate {
 namespace {
 
 constexpr double kStep_m = LocalGrid::kCell_m;
-constexpr double kBlobDepth_m = 0.4;
-constexpr double kPastFrom_m = 0.25;
+// "By hand": README.md, "Where the numbers come from"; the tests are Evidence.*.
+
+constexpr double kBlobDepth_m = 0.4;  // by hand: a column nearer to a blob than this is part of it
+constexpr double kPastFrom_m = 0.25;  // just beyond the front end, 0.21 m before the axle
+// By hand: by so much a thing must be higher than the line of sight for that to pass through it.
 constexpr float kSurelyHigher_m = 0.25F;
-constexpr double kStartled_s = 3.0;    // free so recently that something must have come
-constexpr float kSurelyFree = -1.2F;   // log-odds
-constexpr double kMotionSeen_m = 3.5;  // farther off range noise looks like motion
-constexpr float kCalmingOn = 0.99F;
+// Something has come where floor was free so recently and so surely: as sure as a thing must be to
+// block (LocalGrid::kOccupiedAbove), by hand the rest. Farther off than the last, where a range
+// errs by 0.18 m, noise looks like motion.
+constexpr double kStartled_s = 3.0;
+constexpr float kSurelyFree = -1.2F;  // log-odds
+constexpr double kMotionSeen_m = 3.5;
+// By hand, 0 still .. 1 moving: what stays calms in 17 looks to kSettled, and slowly from there on.
 constexpr float kSettled = 0.35F;
-constexpr float kCalming = 0.94F;  // per look: what stays is no longer moving
+constexpr float kCalming = 0.94F;    // factor of each look
+constexpr float kCalmingOn = 0.99F;  // factor of each look, below kSettled
+// By hand: below the first a thing is still; above the second free floor counts kEager times.
+constexpr float kStill = 0.2F;
+constexpr float kStirs = 0.3F;
+constexpr double kEager = 2.0;
+constexpr double kBeside_m = 0.15;           // by hand, three patches: so far an edge wanders
+constexpr double kLeastRangeError_m = 0.02;  // by hand: less than half a patch says nothing
+// By hand: columns agree within this and two sigma of their range; one that agrees is worth so
+// much, two are worth 1, none EvidenceSettings::lone_column_weight.
+constexpr double kAgree_m = 0.08;
+constexpr double kAgreeSigmas = 2.0;
+constexpr double kOneAgrees = 0.6;
+// By hand: evidence is spread along the ray to 1.2 sigma (77 % of it), less of a weight than the
+// last is left out; beyond a sigma of 0.1 m, two patches, it is thinned.
+constexpr double kSpreadSigmas = 1.2;
+constexpr double kThinFrom_m = 0.1;
+constexpr double kLeastWeight = 0.02;
+constexpr double kHidesBeside = 1.5;  // by hand: a cell two thirds full shows no floor beside it
+constexpr double kMostlyFull = 0.3;   // by hand: share of a look from which a thing has come
+constexpr double kNearest_m = 0.1;    // by hand: nearer than that no column reaches
 
 std::size_t slot(GridCell cell) {
   return static_cast<std::size_t>(cell.y & (LocalGrid::kSide - 1)) * LocalGrid::kSide +
@@ -25,10 +51,10 @@ std::size_t slot(GridCell cell) {
 /// A thing that stands is measured anew in every picture, so its edge wanders over floor that was
 /// seen free; that is no motion.
 bool beside_something_still(GridCell cell, const LocalGrid& grid) {
-  constexpr int kReach = static_cast<int>(0.15 / LocalGrid::kCell_m);
+  constexpr int kReach = static_cast<int>(kBeside_m / LocalGrid::kCell_m);
   for (int y = cell.y - kReach; y <= cell.y + kReach; ++y) {
     for (int x = cell.x - kReach; x <= cell.x + kReach; ++x) {
-      if (grid.state({x, y}) == FloorState::occupied && grid.moving({x, y}) < 0.2F) return true;
+      if (grid.state({x, y}) == FloorState::occupied && grid.moving({x, y}) < kStill) return true;
     }
   }
   return false;
@@ -45,8 +71,8 @@ EvidenceWriter::EvidenceWriter(const EvidenceSettings& settings, double camera_h
 }
 
 double EvidenceWriter::range_error_m(double distance_m) const {
-  return std::max(
-      0.02, settings_.disparity_error_px * distance_m * distance_m / settings_.disparity_metre_px);
+  return std::max(kLeastRangeError_m, settings_.disparity_error_px * distance_m * distance_m /
+                                          settings_.disparity_metre_px);
 }
 
 void EvidenceWriter::write(const Percept& percept, const Pose2& pose, LocalGrid& grid) {
@@ -72,14 +98,14 @@ void EvidenceWriter::write(const Percept& percept, const Pose2& pose, LocalGrid&
 double EvidenceWriter::support_of(const std::vector<Column>& columns, std::size_t i) const {
   const Column& column = columns[i];
   if (!(column.obstacle_m < settings_.far_m)) return 0.0;
-  const double tolerance_m = 0.08 + 2.0 * range_error_m(column.obstacle_m);
+  const double tolerance_m = kAgree_m + kAgreeSigmas * range_error_m(column.obstacle_m);
   int agreeing = 0;
   const std::size_t last = std::min(columns.size() - 1, i + 2);
   for (std::size_t j = i >= 2 ? i - 2 : 0; j <= last; ++j) {
     if (j != i && std::abs(columns[j].obstacle_m - column.obstacle_m) < tolerance_m) ++agreeing;
   }
   if (agreeing >= 2) return 1.0;
-  return agreeing == 1 ? 0.6 : settings_.lone_column_weight;
+  return agreeing == 1 ? kOneAgrees : settings_.lone_column_weight;
 }
 
 EvidenceWriter::Mass& EvidenceWriter::touch(GridCell cell) {
@@ -140,16 +166,16 @@ void EvidenceWriter::gather_occupied(const Column& column, double support, doubl
   if (support <= 0.0 || column.obstacle_confidence <= 0.0) return;
   const double sigma_m = range_error_m(column.obstacle_m);
   const double peak =
-      column.obstacle_confidence * support * std::min(1.0, std::sqrt(0.1 / sigma_m));
+      column.obstacle_confidence * support * std::min(1.0, std::sqrt(kThinFrom_m / sigma_m));
   const double angle = look.pose.heading_rad + column.bearing_rad;
   const double dx = std::cos(angle);
   const double dy = std::sin(angle);
-  const int steps = static_cast<int>(std::ceil(1.2 * sigma_m / kStep_m));
+  const int steps = static_cast<int>(std::ceil(kSpreadSigmas * sigma_m / kStep_m));
   for (int k = -steps; k <= steps; ++k) {
     const double offset_m = k * kStep_m;
     const double weight = peak * std::exp(-0.5 * offset_m * offset_m / (sigma_m * sigma_m));
     const double r = column.obstacle_m + offset_m;
-    if (r <= 0.0 || weight < 0.02) continue;
+    if (r <= 0.0 || weight < kLeastWeight) continue;
     Mass& mass = touch(LocalGrid::cell_of({look.pose.x_m + r * dx, look.pose.y_m + r * dy}));
     mass.occupied += static_cast<float>(weight);
     mass.height_m = std::max(mass.height_m, static_cast<float>(height_m));
@@ -161,10 +187,11 @@ void EvidenceWriter::settle(GridCell cell, const Mass& mass, const Look& look,
   const Point2 centre = LocalGrid::centre_of(cell);
   const double distance_m = std::hypot(centre.x_m - look.pose.x_m, centre.y_m - look.pose.y_m);
   // How many columns a cell at this distance can meet; a full look is all of them.
-  const double meeting = std::max(1.0, kStep_m / (std::max(distance_m, 0.1) * look.column_rad));
+  const double meeting =
+      std::max(1.0, kStep_m / (std::max(distance_m, kNearest_m) * look.column_rad));
   const double occupied = std::min(1.0, mass.occupied / meeting);
   // A thin thing fills a part of its cell; the rest of the columns pass beside it.
-  const double beside = std::max(0.0, 1.0 - 1.5 * occupied);
+  const double beside = std::max(0.0, 1.0 - kHidesBeside * occupied);
   const double free = beside * std::min(1.0, mass.free / meeting);
   const double boost = distance_m < settings_.near_m ? settings_.near_boost : 1.0;
   const float before = grid.log_odds(cell);
@@ -172,10 +199,11 @@ void EvidenceWriter::settle(GridCell cell, const Mass& mass, const Look& look,
     settle_past(cell, mass, std::min(1.0, mass.past / meeting), look, grid);
     return;
   }
-  const double eager = grid.moving(cell) > 0.3F ? 2.0 : 1.0;  // where things move free clears fast
+  const double eager =
+      grid.moving(cell) > kStirs ? kEager : 1.0;  // where things move free clears fast
   const double change =
       boost * settings_.occupied_gain * occupied - eager * settings_.free_gain * free;
-  if (occupied > 0.3 && change > 0.0) {
+  if (occupied > kMostlyFull && change > 0.0) {
     const bool startled = before < kSurelyFree && distance_m < kMotionSeen_m &&
                           to_seconds(look.stamp - grid.last_seen(cell)) < kStartled_s &&
                           !beside_something_still(cell, grid);

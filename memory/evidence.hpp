@@ -9,15 +9,18 @@
 namespace striate {
 
 /// How one look becomes evidence. Ours: the paper gives no map.
+///
+/// By hand (README.md, "Where the numbers come from"), in steps that make whole looks: see
+/// LocalGrid.
 struct EvidenceSettings {
   double disparity_error_px = 0.35;  ///< of a trusted match, one sigma
-  double disparity_metre_px = 24.4;  ///< focal length x baseline: Z = 24.4 m / d
-  double far_m = 5.5;                ///< beyond this a look says nothing
+  double disparity_metre_px = 24.4;  ///< focal length x baseline: Z = 24.4 m / d (203 px, 0.12 m)
+  double far_m = 5.5;                ///< beyond this a look says nothing: a range errs by 0.43 m
   double near_m = 1.0;               ///< within this one look is enough
-  double occupied_gain = 0.9;        ///< log-odds of one full look at something
-  double free_gain = 0.55;           ///< log-odds of one full look at bare floor
-  double near_boost = 4.0;           ///< times the gain within near_m
-  double lone_column_weight = 0.2;   ///< of a column that no neighbour agrees with
+  double occupied_gain = 0.9;        ///< log-odds of a full look at something: two make it stand
+  double free_gain = 0.55;           ///< log-odds of a full look at bare floor: one makes it free
+  double near_boost = 4.0;           ///< times the gain within near_m: one look makes it sure
+  double lone_column_weight = 0.2;   ///< of a column that no neighbour agrees with: seven looks
 };
 
 template <class V>

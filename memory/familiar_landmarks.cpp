@@ -7,9 +7,10 @@
 namespace striate {
 namespace {
 
+// By hand: activation changes over minutes; a landmark stays in sight as long.
 constexpr Duration kOrderEvery = std::chrono::seconds(2);
-constexpr double kNear_m = 6.0;  ///< farther ones are not expected
-/// Where nothing says how high a landmark is: on the floor, on a table or on a wall.
+constexpr double kNear_m = 6.0;  ///< farther ones are not expected: the map's window ends at 6.4 m
+/// Where nothing says how high a landmark is, by hand: on the floor, on a table or on a wall.
 constexpr double kSomewhere_m = 0.7;
 constexpr double kSomewhereHalf_m = 0.5;
 

@@ -23,8 +23,8 @@ struct LandmarkSighting {
 
 /// A landmark that the robot has in mind: recognised in this run, recalled, or both.
 struct LandmarkInMind {
-  static constexpr std::size_t kName = 47;
-  std::int64_t landmark = 0;  ///< 0: this entry is not in use
+  static constexpr std::size_t kName = 47;  ///< letters: 48 bytes with the end, as names are short
+  std::int64_t landmark = 0;                ///< 0: this entry is not in use
   std::array<char, kName + 1> name{};
   int sightings = 0;       ///< looks of this run in which it was recognised; 0: only recalled
   int in_a_row = 0;        ///< of them, those that followed each other closely, up to the newest
@@ -39,9 +39,9 @@ struct LandmarkInMind {
 };
 
 struct LandmarkMemorySettings {
-  int confirming_looks = 3;
-  double confirming_s = 3.0;
-  double look_sigma_share = 0.1;
+  int confirming_looks = 3;       ///< as in `striate trial --objects`: a place counts after three
+  double confirming_s = 3.0;      ///< by hand: the head has come back to it by then
+  double look_sigma_share = 0.1;  ///< by hand: three times what 0.35 px make at 2.4 m
 };
 
 template <class V>
@@ -58,7 +58,7 @@ void visit(V& v, LandmarkMemorySettings& s) {
 /// longest makes room. Behaviours and conditions read it; the cycle alone writes.
 class LandmarkMemory {
  public:
-  static constexpr std::size_t kCapacity = 64;
+  static constexpr std::size_t kCapacity = 64;  ///< by hand: 48 recalled, and what is seen
   using Landmarks = std::array<LandmarkInMind, kCapacity>;
 
   explicit LandmarkMemory(const LandmarkMemorySettings& settings) : settings_(settings) {}

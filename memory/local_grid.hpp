@@ -25,13 +25,17 @@ struct GridCell {
 /// resampled, and so blurred, ten times a second; this one never is. Fixed memory.
 class LocalGrid {
  public:
-  static constexpr int kSide = 256;  ///< a power of two: storage wraps round
-  static constexpr double kCell_m = 0.05;
-  static constexpr float kFreeBelow = -0.5F;     ///< log-odds; below is free
-  static constexpr float kOccupiedAbove = 1.2F;  ///< log-odds; above is occupied
+  static constexpr int kSide = 256;        ///< a power of two: storage wraps round; 6.4 m each way
+  static constexpr double kCell_m = 0.05;  ///< by hand: a range errs by as much from 1.9 m on
+  // Log-odds, by hand (README.md), counted in the looks of EvidenceSettings: one full look at floor
+  // makes a cell free, two at a thing make it occupied.
+  static constexpr float kFreeBelow = -0.5F;
+  static constexpr float kOccupiedAbove = 1.2F;
+  // Bounds, by hand: no more than six looks at floor and four at a thing are kept, so that what is
+  // gone is cleared within five: Evidence.WhatIsGoneIsClearedWithinTwoSeconds.
   static constexpr float kLeast = -3.0F;
   static constexpr float kMost = 3.5F;
-  static constexpr float kSurelyOccupied = 3.0F;  ///< log-odds; counts even as a lone speck
+  static constexpr float kSurelyOccupied = 3.0F;  ///< four looks: counts even as a lone speck
   static constexpr int kReach = kSide / 2 - 2;    ///< cells that surely lie inside, each way
 
   LocalGrid();

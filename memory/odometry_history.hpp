@@ -11,7 +11,7 @@ namespace striate {
 /// hundred milliseconds old when it is understood, and belongs to the pose of its own moment.
 class OdometryHistory {
  public:
-  static constexpr std::size_t kCapacity = 64;
+  static constexpr std::size_t kCapacity = 64;  ///< by hand: 6.4 s of cycles
 
   void add(TimePoint stamp, const Pose2& pose);
   /// Interpolated; the nearest kept pose where `stamp` lies outside what is kept.

@@ -7,7 +7,7 @@
 namespace striate {
 namespace {
 
-constexpr float kFreeShare = 0.6F;  // of a polar cell's patches that must be seen free
+constexpr float kFreeShare = 0.6F;  // by hand: of a polar cell's patches that must be seen free
 
 struct Tally {
   int patches = 0;

@@ -12,11 +12,13 @@ namespace striate {
 /// read from the evidence grid when somebody wants it (inspection, recordings, pictures): it never
 /// holds evidence of its own, so turning does not blur it.
 struct PolarMap {
+  // By hand: sectors of 5 degrees; rings that grow as 1.22 times the last, as the error of a range
+  // does with its square; within the window of the map, 6.4 m.
   static constexpr int kSectors = 72;
   static constexpr int kRings = 16;
+  static constexpr double kInner_m = 0.30;  ///< outer edge of ring 0: about the robot's own outline
+  static constexpr double kOuter_m = 6.0;   ///< outer edge of ring 15: within the window of 6.4 m
   static constexpr double kSector_rad = 2.0 * std::numbers::pi / kSectors;
-  static constexpr double kInner_m = 0.30;  ///< outer edge of ring 0
-  static constexpr double kOuter_m = 6.0;   ///< outer edge of ring 15
 
   struct Cell {
     FloorState state = FloorState::unknown;

@@ -4,6 +4,13 @@
 #include <cmath>
 
 namespace striate {
+namespace {
+
+// By hand, a factor of 1.6 in the range: ranges are noisy, only a clear difference tells two things
+// apart. SalientMemory.TheSameBearingAtAnotherDistanceIsAnotherThing.
+constexpr double kAnotherRange = 0.47;  // its natural logarithm
+
+}  // namespace
 
 void SalientMemory::move(const Pose2& before, const Pose2& after) {
   for (RememberedRegion& region : regions_) {
@@ -27,8 +34,8 @@ RememberedRegion* SalientMemory::find(const SalientRegion& seen) {
     if (!region.used) continue;
     const double apart_rad = std::abs(wrap_angle(region.bearing_rad - seen.bearing_rad));
     const bool both_known = std::isfinite(region.distance_m) && std::isfinite(seen.distance_m);
-    // Ranges are noisy: only a clear difference (a factor of 1.6) tells two things apart.
-    if (both_known && std::abs(std::log(region.distance_m / seen.distance_m)) > 0.47) continue;
+    if (both_known && std::abs(std::log(region.distance_m / seen.distance_m)) > kAnotherRange)
+      continue;
     if (apart_rad < nearest_rad) {
       nearest_rad = apart_rad;
       best = &region;

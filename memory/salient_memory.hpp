@@ -23,13 +23,15 @@ struct RememberedRegion {
   TimePoint inhibited_until;  ///< attention does not return before
 };
 
+///
+/// By hand (README.md, "Where the numbers come from"); the tests are SalientMemory.*.
 struct SalientSettings {
-  double match_rad = 0.12;
+  double match_rad = 0.12;  ///< a sixth of the 43 degree view
   double decay_s = 3.0;
-  double expires_s = 8.0;
-  double inhibition_s = 6.0;
-  double attended_rad = 0.10;
-  double attended_s = 0.5;
+  double expires_s = 8.0;      ///< longer than a look round (4 s) takes to come back
+  double inhibition_s = 6.0;   ///< shorter than a region is kept: it is looked at again
+  double attended_rad = 0.10;  ///< twice what the head counts as there (0.05 rad)
+  double attended_s = 0.5;     ///< five pictures
 };
 
 template <class V>
@@ -51,7 +53,7 @@ void visit(V& v, SalientSettings& s) {
 /// a while is inhibited, so that attention moves on.
 class SalientMemory {
  public:
-  static constexpr std::size_t kCapacity = 7;
+  static constexpr std::size_t kCapacity = 7;  ///< the span of human short-term memory, as above
   using Regions = std::array<RememberedRegion, kCapacity>;
 
   explicit SalientMemory(const SalientSettings& settings) : settings_(settings) {}

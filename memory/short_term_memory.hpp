@@ -20,13 +20,15 @@
 namespace striate {
 
 /// Ours: the literature gives no constants.
+///
+/// By hand (README.md, "Where the numbers come from"), tuned in the flat test world.
 struct ShortTermMemorySettings {
-  double free_fades_s = 30.0;
-  double occupied_fades_s = 90.0;
-  double moving_fades_s = 3.5;
+  double free_fades_s = 30.0;      ///< log-odds of -3 are free for 54 s: floor within a minute
+  double occupied_fades_s = 90.0;  ///< log-odds of 3.5 block for 96 s
+  double moving_fades_s = 3.5;     ///< log-odds of 3.5 block for 3.7 s: a person has walked 3 m
   double blur_after_s = 4.0;
   double blur_every_m = 1.0;
-  double blur_share = 0.06;
+  double blur_share = 0.06;  ///< odometry drifts by 0.0075 m in a metre, 0.15 of a patch
   EvidenceSettings evidence;
   SalientSettings salient;
   LandmarkMemorySettings landmarks;
@@ -57,7 +59,7 @@ void visit(V& v, ShortTermMemorySettings& s) {
 /// construction. Behaviours, tasks and pictures read it; the cycle alone writes.
 class ShortTermMemory {
  public:
-  static constexpr std::size_t kCommands = 32;
+  static constexpr std::size_t kCommands = 32;  ///< by hand: cycles, 3.2 s
   struct SentCommand {
     TimePoint stamp;
     MotorCommand command;

@@ -12,8 +12,8 @@ namespace striate {
 /// never ends, it only becomes coarser.
 class Trail {
  public:
-  static constexpr std::size_t kCapacity = 512;
-  static constexpr double kFirstStep_m = 0.25;
+  static constexpr std::size_t kCapacity = 512;  ///< crumbs: 128 m, the corridor there and back
+  static constexpr double kFirstStep_m = 0.25;   ///< by hand: half the robot's length
 
   /// The robot is here now.
   void walk(const Pose2& here);

@@ -8,18 +8,26 @@
 namespace striate {
 namespace {
 
-constexpr double kAhead_m = 5.0;
-constexpr double kNearest_m = 0.35;
-constexpr double kBin_m = 0.05;
-constexpr int kBins = 56;  // up to 3.15 m
+// "By hand": README.md, "Where the numbers come from"; the tests are WallFitter.*.
+
+constexpr double kAhead_m = 5.0;     // by hand: within 5.5 m, beyond which a look says nothing
+constexpr double kNearest_m = 0.35;  // by hand: a wall this near to the axle is at the flank
+constexpr double kBin_m = 0.05;      // a patch of the map, LocalGrid::kCell_m
+constexpr int kBins = 56;            // up to 3.15 m: the shipped corridors are 5.0 m wide at most
+// Pieces that hold anything are the 64 bits of a number: from -7.5 m to 8.5 m. With kAhead_m and
+// the map's half side no place lies farther than 6 m along.
 constexpr double kPiece_m = 0.25;
 constexpr double kPiecesFrom_m = 7.5;
+constexpr double kSolid = 0.7;  // by hand: share of a wall's length that must be there
+constexpr float kStill = 0.2F;  // as in evidence.cpp: 0 still .. 1 moving
+// 9 degrees to each side, more than the gate of CorridorMemory (kHeadingGate_rad, 6.9 degrees).
 constexpr int kTurns = 12;
-constexpr double kTurn_rad = 0.0131;  // 0.75 degrees
+constexpr double kTurn_rad = 0.0131;  // 0.75 degrees: a patch in 3.8 m
+// By hand: longer than the things that stand in a corridor, of 24 cells in line: 1.2 m of patches.
 constexpr double kLeastLength_m = 1.5;
-constexpr double kLeastScore = 24.0;  // cells in line
-constexpr std::size_t kMostCells = 4096;
-constexpr double kWidthTolerance_m = 0.35;
+constexpr double kLeastScore = 24.0;
+constexpr std::size_t kMostCells = 4096;    // by hand: a sixteenth of the map
+constexpr double kWidthTolerance_m = 0.35;  // as CorridorMemory's kOffsetGate_m
 
 struct Bin {
   float cells = 0.0F;
@@ -33,11 +41,11 @@ bool solid(const Bin& a, const Bin& b, const Bin& c) {
   const int pieces = std::popcount(a.pieces | b.pieces | c.pieces);
   const float length_m =
       std::max({a.most_m, b.most_m, c.most_m}) - std::min({a.least_m, b.least_m, c.least_m});
-  return static_cast<double>(pieces) * kPiece_m > 0.7 * static_cast<double>(length_m);
+  return static_cast<double>(pieces) * kPiece_m > kSolid * static_cast<double>(length_m);
 }
 
 bool still_thing(const LocalGrid& grid, GridCell cell) {
-  return grid.state(cell) == FloorState::occupied && grid.moving(cell) <= 0.2F;
+  return grid.state(cell) == FloorState::occupied && grid.moving(cell) <= kStill;
 }
 
 bool edge_of_floor(const LocalGrid& grid, GridCell cell) {

@@ -8,7 +8,8 @@
 namespace striate {
 namespace {
 
-constexpr int kLargest = 4 * 255 * 2;     // magnitude of a response
+/// Magnitude of a response: what the kernel has of one sign sums to 8
+constexpr int kLargest = 4 * 255 * 2;
 constexpr int kSaturated = kLargest + 1;  // what is black or white to the limit has lost its noise
 using Histogram = std::array<int, kSaturated + 1>;
 
@@ -58,7 +59,9 @@ double estimate_noise(const cv::Mat1b& grey) {
   // Inside the bin the median is interpolated; bin k holds magnitudes k - 1/2 .. k + 1/2.
   const double inside = (0.5 * total - before) / histogram[bin];
   const double median = bin == 0 ? 0.5 * inside : bin - 0.5 + inside;
+  // Median of |x| for a normal x of sigma 1: its 75 % quantile
   constexpr double kMedianOfNormal = 0.6745;
+  // Root of the sum of squares of (1 -2 1) x (1 -2 1): what it makes of noise of sigma 1
   constexpr double kKernelNorm = 6.0;
   return median / (kMedianOfNormal * kKernelNorm);
 }

@@ -13,7 +13,9 @@
 /// the picture; image: u right, v down, pixel centres at integers.
 namespace striate {
 
+/// Pixels: not finite, so that no arithmetic makes a measured disparity of it
 inline constexpr float kNoMatch = std::numeric_limits<float>::infinity();
+/// Metres: farther than everything, so that the nearest of several needs no special case
 inline constexpr double kNothing_m = std::numeric_limits<double>::infinity();
 
 /// Dense disparity in the left image's frame, with the camera at this working size.

@@ -55,8 +55,9 @@ struct Light {
   static double of(const ShortTermMemory& memory) { return memory.light_level(); }
 };
 
+constexpr double kGreyLevels = 255.0;  // of a picture of 8 bits, from black to white
 struct Noise {
-  static double of(const ShortTermMemory& memory) { return memory.noise_level() / 255.0; }
+  static double of(const ShortTermMemory& memory) { return memory.noise_level() / kGreyLevels; }
 };
 struct PictureAge {
   static double of(const ShortTermMemory& memory) { return memory.picture_age_s(); }
@@ -76,8 +77,9 @@ struct Width {
 /// along a straight line. Full where the body does not tell.
 struct Charge {
   static double of(const ShortTermMemory& memory) {
-    constexpr double kEmpty_v = 10.8;
-    constexpr double kFull_v = 12.7;
+    constexpr double kEmpty_v = 10.8;  // SafetyLimiterSettings::battery_stop_v
+
+    constexpr double kFull_v = 12.7;  // six lead-acid cells of 2.12 V at rest
     if (memory.battery_v() <= 0.0) return 1.0;
     return std::clamp((memory.battery_v() - kEmpty_v) / (kFull_v - kEmpty_v), 0.0, 1.0);
   }
@@ -90,12 +92,15 @@ class StandsFor final : public Condition {
   void start(const ShortTermMemory& memory) override { moved_ = memory.now(); }
   [[nodiscard]] bool holds(const ShortTermMemory& memory) const override {
     const bool moves =
-        std::abs(memory.forward_m_s()) > 0.01 || std::abs(memory.turn_rad_s()) > 0.02;
+        std::abs(memory.forward_m_s()) > kStill_m_s || std::abs(memory.turn_rad_s()) > kStill_rad_s;
     if (moves) moved_ = memory.now();
     return to_seconds(memory.now() - moved_) >= limit_s_;
   }
 
  private:
+  // By hand, as in behaviours/teach.cpp: slower than this it stands.
+  static constexpr double kStill_m_s = 0.01;
+  static constexpr double kStill_rad_s = 0.02;
   double limit_s_;
   mutable TimePoint moved_;  ///< the newest cycle in which it moved
 };
@@ -117,6 +122,7 @@ constexpr auto at_least = make<Compared<Figure, true>>;
 template <class Figure>
 constexpr auto at_most = make<Compared<Figure, false>>;
 
+// What may be asked for, by hand: up to 100 km, a day, and a share of the whole.
 constexpr config::Range kLength_m{0.0, 100000.0};
 constexpr config::Range kDay_s{0.0, 86400.0};
 constexpr config::Range kShare{0.0, 1.0};

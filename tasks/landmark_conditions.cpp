@@ -12,6 +12,7 @@ namespace {
 
 using config::Unit;
 
+// By hand, as in behaviours/seek_landmark.cpp: so fresh is "in sight".
 constexpr Duration kInSight = std::chrono::milliseconds(1000);
 
 /// Recognised now, in looks enough.

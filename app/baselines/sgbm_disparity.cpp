@@ -7,6 +7,7 @@
 namespace striate {
 namespace {
 
+/// StereoSGBM tells none: just below the 94 % that are right within 2 px (tests/evaluation)
 constexpr float kTrust = 0.9F;
 constexpr float kSteps = 16.0F;  // of StereoSGBM, a pixel of disparity
 

@@ -12,6 +12,7 @@ namespace {
 
 /// Lenses of some 40 to 60 degrees need no third radial term; with it a few pictures give wild
 /// edges.
+/// Of 40 to 60 degrees: no third radial term; with it a few pictures give wild edges
 constexpr int kLens = cv::CALIB_FIX_K3;
 
 struct Corners {

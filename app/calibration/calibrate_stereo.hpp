@@ -5,6 +5,7 @@
 
 namespace striate {
 
+/// With fewer the lens and the eyes' turn cannot be told apart (ours)
 inline constexpr std::size_t kFewestPairs = 5;
 
 /// How well one pair agrees with the calibration.

@@ -56,7 +56,7 @@ ordered_json json_of(const BehaviourEntry& behaviour) {
 }  // namespace
 
 std::string example_of(const BehaviourEntry& behaviour) {
-  constexpr int kShown = 3;
+  constexpr int kShown = 3;  // parameters: what fits beside a name in a line of 80
   std::string arguments;
   int shown = 0;
   for (const config::SettingLine& line : behaviour.parameters()) {

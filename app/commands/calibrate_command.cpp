@@ -19,7 +19,7 @@ struct CalibrateOptions {
   std::string folder;
   std::string out = "stereo_calibration.yaml";
   Chessboard board;
-  double square_mm = 25.0;
+  double square_mm = 25.0;  // side of a square, as boards to print come
   bool swap = false;
   bool side_by_side = false;
 };
@@ -30,6 +30,7 @@ struct Looks {
   cv::Size size_px;
 };
 
+/// Shown where a folder holds no pairs
 constexpr const char* kLayout =
     "\n  hint: FOLDER/left/*.png and FOLDER/right/*.png with the same names, or with "
     "--side-by-side "

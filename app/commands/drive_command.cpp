@@ -15,15 +15,17 @@ namespace {
 struct DriveOptions {
   std::string url;
   std::string robot;
-  double forward_m_s = 0.0;
-  double turn_deg_s = 0.0;
-  double for_s = 0.0;
-  double way_m = 0.0;
+  double forward_m_s = 0.0;  // stands, unless asked
+  double turn_deg_s = 0.0;   // stands, unless asked
+  double for_s = 0.0;        // seconds to drive, where no way is given
+  double way_m = 0.0;        // 0: no way to drive
   bool force = false;
 };
 
-constexpr double kStands_m_s = 0.005;
+constexpr double kStands_m_s = 0.005;  // five times the resolution of a SIP's wheel speeds, 1 mm/s
+/// 0.6 deg/s: six times the resolution of a SIP's turning speed
 constexpr double kStands_rad_s = 0.01;
+/// So long a person stays beside a robot that is driven by hand (ours)
 constexpr double kLongestDrive_s = 600.0;
 
 void print_state(const Senses& senses, const pioneer::DriverReport& report) {

@@ -17,7 +17,7 @@
 namespace striate {
 namespace {
 
-constexpr int kMapSide_px = 960;
+constexpr int kMapSide_px = 960;  // half of a full HD screen's width, and nearly its height
 
 struct RecallOptions {
   std::string file;

@@ -18,7 +18,7 @@ namespace {
 
 struct ReplayCommandOptions {
   ReplayOptions replay;
-  int picture_every = 0;
+  int picture_every = 0;  // cycles between pictures; 0: none
   std::string pictures;
   bool json = false;
 };

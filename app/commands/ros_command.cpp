@@ -19,7 +19,7 @@ namespace {
 struct RosOptions {
   RunOnRobotOptions run;
   std::string world;
-  std::uint64_t seed = 1;
+  std::uint64_t seed = 1;  // any; the first run of a series
   bool no_emergency = false;
 };
 
@@ -27,7 +27,7 @@ struct BagOptions {
   std::string bag;
   std::string robot;
   std::string out;
-  int picture_every = 0;
+  int picture_every = 0;  // cycles between pictures; 0: none
 };
 
 #ifdef STRIATE_HAS_ROS

@@ -22,7 +22,7 @@ namespace {
 struct RunOptions {
   MissionOptions mission;
   bool no_emergency = false;
-  int picture_every = 0;
+  int picture_every = 0;  // cycles between pictures; 0: none
   std::string pictures;
   std::string result;
   std::string memory;

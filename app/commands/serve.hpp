@@ -13,13 +13,13 @@ struct ServeOptions {
   bool tcp = false;
   bool pty = false;
   std::string address = "127.0.0.1";
-  int port = 8101;
+  int port = 8101;  ///< where clients look for the first robot; ARIA's convention
   std::string kind = "p3dx-sh";
   LineFaults faults;
   DeviceFaults devices;
   std::string world;
   std::string robot;
-  std::uint64_t seed = 1;
+  std::uint64_t seed = 1;  ///< any; the first run of a series
   [[nodiscard]] bool serves() const { return tcp || pty; }
 };
 

@@ -40,6 +40,7 @@ struct TeachOptions {
 
 /// Files as they are; of a folder all pictures, by name.
 std::vector<std::string> picture_files(const std::vector<std::string>& given) {
+  // What OpenCV reads here
   static const std::vector<std::string> kEndings = {".png", ".jpg", ".jpeg", ".bmp",
                                                     ".ppm", ".pgm", ".tif",  ".tiff"};
   std::vector<std::string> files;

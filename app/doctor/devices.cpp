@@ -20,8 +20,9 @@ namespace fs = std::filesystem;
 using Grade = Finding::Grade;
 /// A turret's reply waits so long in an FTDI's buffer unless it is told otherwise.
 constexpr int kSlowLatency_ms = 2;
+/// A host that answers at all has by then, one lost SYN (1 s) included
 constexpr auto kOpenPatience = std::chrono::milliseconds(1500);
-constexpr auto kTick = std::chrono::milliseconds(10);
+constexpr auto kTick = std::chrono::milliseconds(10);  // between looks: not felt by who waits
 
 std::vector<fs::path> named(const fs::path& folder, const std::vector<std::string>& beginnings) {
   std::vector<fs::path> found;

@@ -11,9 +11,10 @@ namespace striate {
 namespace {
 
 using Grade = Finding::Grade;
-constexpr double kMega = 1024.0 * 1024.0;
+constexpr double kMega = 1024.0 * 1024.0;  // bytes in a MB, as df and free count
 /// A mission with its memory takes some 200 MB, the simulator's light as much again.
 constexpr double kLeastMemory_mb = 500.0;
+/// MB: room for a recording and the memory (ours)
 constexpr double kLeastDisk_mb = 500.0;
 
 std::uint64_t memory_available() {

@@ -18,8 +18,9 @@ struct Condition {
   int most;
   double tolerance_px;
 };
+/// See tests/evaluation/README.md, keypoints
 constexpr Condition kConditions[] = {{500, 1.5}, {500, 2.5}, {1000, 1.5}, {1000, 2.5}};
-constexpr int kMost = 1000;
+constexpr int kMost = 1000;  ///< the larger number of kConditions
 
 /// shares[condition][method]: mean over the pairs of one sequence, or over sequences.
 using Shares = std::vector<std::vector<double>>;

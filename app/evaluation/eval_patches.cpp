@@ -13,7 +13,8 @@
 namespace striate {
 namespace {
 
-constexpr std::size_t kSampledPairs = 4000;  ///< on which the best size is chosen
+/// On which the best size is chosen: its rates are known to 1 %
+constexpr std::size_t kSampledPairs = 4000;
 
 /// Every so many pairs with only the patches they need.
 PatchSet sample_of(const PatchSet& set) {

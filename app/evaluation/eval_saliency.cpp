@@ -20,8 +20,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// px: the stereo's working width, at which the robot computes it
 constexpr int kWorkingWidth_px = 160;
-constexpr int kJudgedWidth_px = 400;
+constexpr int kJudgedWidth_px = 400;  // half of OSIE's 800: fixations are no finer
 /// One degree of view where the picture spans about 33 degrees, as in OSIE (24 px of 800).
 constexpr double kDegree_of_width = 0.03;
 

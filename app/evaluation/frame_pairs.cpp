@@ -9,7 +9,7 @@
 namespace striate {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
+constexpr double kDegree = std::numbers::pi / 180.0;  // a degree in radians
 
 bool patch_fits(const cv::KeyPoint& frame, cv::Size size) {
   const double reach = 0.5 * kPatchSizes * frame.size * std::numbers::sqrt2;

@@ -19,6 +19,7 @@ struct Layout {
   const char* picture;
   const char* homography;
 };
+/// Names of pictures and homographies: Oxford's and HPatches'
 constexpr Layout kLayouts[] = {{"img{}", "H1to{}p"}, {"{}", "H_1_{}"}};
 
 /// The picture of that number; empty where there is none.

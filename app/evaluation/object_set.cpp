@@ -17,6 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
+/// Shown where a folder holds no set
 constexpr const char* kLayouts =
     "expected objects/NAME/*.png, scenes/*.png and truth.json ({\"scene\": [\"NAME\", ...]}),\n"
     "or JSK ARC 2017 (objects/NAME/top.jpg, scenes/*.jpg, visual_annotation.json),\n"
@@ -112,7 +113,7 @@ void read_pairs(const fs::path& folder, ObjectSet& set) {
 
 cv::Rect region_of_object(const cv::Mat1b& grey) {
   const cv::Rect all(0, 0, grey.cols, grey.rows);
-  constexpr int kAlike = 8;  // grey levels
+  constexpr int kAlike = 8;  // grey levels; what JPEG leaves on a black background (ours)
   const int background = grey(0, 0);
   for (const int other :
        {grey(0, grey.cols - 1), grey(grey.rows - 1, 0), grey(grey.rows - 1, grey.cols - 1)}) {

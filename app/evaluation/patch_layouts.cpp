@@ -15,6 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Shown where a folder holds no patches
 constexpr const char* kExpected =
     "expected one of: folders with img1.png ... and H1to2p ... (Oxford), with 1.ppm ... and "
     "H_1_2 ... (HPatches), or info.txt, m50_*.txt and mosaics of patches (Brown/Winder)";
@@ -33,6 +34,7 @@ std::vector<fs::path> sorted_entries(const fs::path& folder) {
 }
 
 bool is_picture(const fs::path& path) {
+  // What OpenCV reads here
   constexpr const char* kSuffixes[] = {".png", ".ppm", ".pgm", ".bmp", ".jpg", ".jpeg"};
   return std::ranges::find(kSuffixes, path.extension().string()) != std::end(kSuffixes);
 }
@@ -187,7 +189,7 @@ PatchSet from_mosaics(const fs::path& folder, const PatchChoice& choice) {
   for (const PatchPair& pair : read_matches(matches, set.count)) {
     if ((pair.same ? same : different)++ < choice.pairs) set.pairs.push_back(pair);
   }
-  constexpr int kPatches = kMosaicPatches * kMosaicPatches;
+  constexpr int kPatches = kMosaicPatches * kMosaicPatches;  // in one mosaic
   const auto wanted = static_cast<std::size_t>((set.count + kPatches - 1) / kPatches);
   for (const fs::path& entry : sorted_entries(folder)) {
     if (set.mosaics.size() == wanted) break;

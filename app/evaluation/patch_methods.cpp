@@ -9,8 +9,9 @@
 namespace striate {
 namespace {
 
+/// Around a mosaic: a patch's side, so that no method drops one for being near the border
 constexpr int kBorder_px = 64;
-constexpr int kPatches = kMosaicPatches * kMosaicPatches;
+constexpr int kPatches = kMosaicPatches * kMosaicPatches;  // in one mosaic
 
 /// Rows in the order of the patches, whatever the method left out (those stay zero).
 cv::Mat rows_of(const cv::Ptr<cv::Feature2D>& method, const cv::Mat& picture,

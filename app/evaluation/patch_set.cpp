@@ -6,7 +6,7 @@
 namespace striate {
 namespace {
 
-constexpr int kPatches = kMosaicPatches * kMosaicPatches;
+constexpr int kPatches = kMosaicPatches * kMosaicPatches;  // in one mosaic
 
 cv::Rect place(int number) {
   const int within = number % kPatches;

@@ -5,6 +5,7 @@
 
 namespace striate {
 
+/// As the PhotoTourism patches that descriptors are compared on
 inline constexpr int kPatchSide_px = 64;
 inline constexpr int kMosaicPatches = 16;  ///< along each side of a mosaic
 

@@ -9,8 +9,10 @@
 namespace striate {
 namespace {
 
-constexpr double kWidth = 860.0, kHeight = 520.0;
+constexpr double kWidth = 860.0, kHeight = 520.0;  // px of a plot: it fits into a README
+/// px around the plot: numbers, legend, title, axis
 constexpr double kLeft = 70.0, kRight = 230.0, kTop = 48.0, kBottom = 60.0;
+/// Told apart by most who see colours badly, too (ours)
 constexpr const char* kColours[] = {"#0b62a4", "#d1495b", "#2e8b57", "#e08e0b",
                                     "#7b4ea3", "#4d4d4d", "#17a2b8", "#a0522d"};
 

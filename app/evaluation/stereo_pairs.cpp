@@ -15,6 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// px: no comparison with it holds, so it is never judged
 constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
 
 struct Layout {
@@ -25,6 +26,7 @@ struct Layout {
   const char* mask;         ///< may be missing
   double truth_per_px;
 };
+/// Names of pictures and truth in the Middlebury sets
 constexpr std::array kLayouts = {
     Layout{"imL.png", "imR.png", "groundtruth.png", "", "nonocc.png", 4.0},
     Layout{"im2.png", "im6.png", "disp2.png", "disp6.png", "", 4.0},

@@ -11,7 +11,7 @@
 namespace striate {
 namespace {
 
-constexpr int kBytes = 32;
+constexpr int kBytes = 32;  // of a descriptor of 256 bits
 
 void write_row(const Descriptor& descriptor, std::uint8_t* row) {
   for (std::size_t b = 0; b < kBytes; ++b) {
@@ -36,6 +36,7 @@ cv::Mat describe_patches(const cv::Mat1b& mosaic, int patches, double size_px, i
   return rows;
 }
 
+/// A frame's diameter in a patch of 8 diameters, 64 px, and 10 % to either side
 const std::vector<double> kSizes_px = {7.2, 8.0, 9.0};
 
 PatchMethod with_given_angle() {

@@ -10,8 +10,9 @@
 namespace striate {
 namespace {
 
+/// At most, so that no picture outweighs the others (ours)
 constexpr std::size_t kPairsOfAPicture = 150;
-constexpr std::size_t kLeastPairs = 100;
+constexpr std::size_t kLeastPairs = 100;  // fewer than this teach nothing: correlations err by 10 %
 /// About what is evaluated: hard pairs teach more than close ones.
 constexpr FrameTolerance kTolerance{0.5, 0.45, 30.0};
 

@@ -11,8 +11,10 @@
 namespace striate {
 namespace {
 
-constexpr int kFiner = 4;          ///< scenes are drawn this many times larger
-constexpr float kLower_px = 0.3F;  ///< error of the eyes' heights, at the working size
+/// Scenes are drawn so much larger: edges fall between pixels as in a camera
+constexpr int kFiner = 4;
+/// Error of the eyes' heights, at the working size: twice a rectified pair's 0.15 px
+constexpr float kLower_px = 0.3F;
 
 /// One plane, in the left picture's frame; disparity = at + across x + down y.
 struct Sheet {

@@ -6,6 +6,7 @@
 namespace striate {
 namespace {
 
+/// RFC 4648, section 4
 constexpr std::string_view kLetters =
     "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 

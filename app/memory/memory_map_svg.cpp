@@ -13,9 +13,10 @@
 namespace striate::pictures {
 namespace {
 
+/// px: the longer side of a map fits a full HD screen's height when shown at 90 %
 constexpr double kSide_px = 1200.0;
-constexpr double kMargin_px = 60.0;
-constexpr double kEllipse = 2.45;  ///< standard deviations that hold 95 % in two dimensions
+constexpr double kMargin_px = 60.0;  ///< px around: labels at the border fit
+constexpr double kEllipse = 2.45;    ///< standard deviations that hold 95 % in two dimensions
 
 std::string escaped(const std::string& text) {
   std::string result;
@@ -111,7 +112,7 @@ class MapSvg {
   [[nodiscard]] double x(double x_m) const { return kMargin_px + (x_m - left_m_) * px_per_m_; }
   [[nodiscard]] double y(double y_m) const { return kMargin_px + (top_m_ - y_m) * px_per_m_; }
 
-  static constexpr double kNone = std::numeric_limits<double>::infinity();
+  static constexpr double kNone = std::numeric_limits<double>::infinity();  // m: nothing drawn yet
   double left_m_ = kNone, right_m_ = -kNone, low_m_ = kNone, top_m_ = -kNone;
   double px_per_m_ = 1.0;
   std::string svg_;

@@ -15,10 +15,10 @@
 namespace striate::pictures {
 namespace {
 
-constexpr int kTile_px = 320;
-constexpr int kTilesInRow = 3;
-constexpr int kMapSide_px = 900;
-constexpr int kMargin_px = 50;
+constexpr int kTile_px = 320;     // px: a view's longer side; three tiles fill the map's width
+constexpr int kTilesInRow = 3;    // as wide as the map below
+constexpr int kMapSide_px = 900;  // px: fits a full HD screen's height
+constexpr int kMargin_px = 50;    // px around the map: labels at the border fit
 
 cv::Mat3b draw_view(const StoredView& view) {
   cv::Mat3b picture;

@@ -15,7 +15,7 @@ namespace striate {
 namespace {
 
 using Json = nlohmann::ordered_json;
-constexpr int kFormat = 1;
+constexpr int kFormat = 1;  // version of the exported file; a reader refuses others
 
 template <class T>
 std::optional<T> maybe(const Json& json, const char* key) {

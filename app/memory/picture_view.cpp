@@ -10,9 +10,10 @@
 namespace striate {
 namespace {
 
+/// px: the size recognition was measured at (jsk_arc2017, 640 x 480)
 constexpr int kLongestSide_px = 640;
 constexpr int kShortestSide_px = 16;  ///< below it there is nothing to look for
-constexpr int kJpegQuality = 90;
+constexpr int kJpegQuality = 90;      ///< of 100: so mild that no blocks are seen (ours)
 
 cv::Mat3b shrunk(const cv::Mat3b& picture) {
   const int side = std::max(picture.cols, picture.rows);

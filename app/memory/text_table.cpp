@@ -10,8 +10,8 @@
 namespace striate {
 namespace {
 
-constexpr int kGap = 2;
-constexpr int kNarrowest = 4;
+constexpr int kGap = 2;        // blanks between columns
+constexpr int kNarrowest = 4;  // letters: a column that is cut shorter says nothing
 
 /// Letters, not bytes, of UTF-8.
 int letters(const std::string& text) {

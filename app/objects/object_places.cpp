@@ -6,7 +6,8 @@
 namespace striate {
 namespace {
 
-constexpr double kTeaching_m = 1.55;
+constexpr double kTeaching_m = 1.55;  // m from the object; about the middle of kDistances_m
+/// 1 to 2.5 m; the farthest at which a landmark is expected (LandmarkFinderSettings)
 constexpr double kDistances_m[] = {1.0, 1.5, 2.0, 2.5};
 /// Each distance is tried from straight before it or from one side.
 constexpr double kAside_deg[] = {0.0, 20.0, -20.0, 0.0};

@@ -6,8 +6,8 @@
 namespace striate::pictures {
 namespace {
 
-constexpr int kFont = cv::FONT_HERSHEY_SIMPLEX;
-constexpr double kUnit = 0.5;  // OpenCV's scale for 11 px capitals
+constexpr int kFont = cv::FONT_HERSHEY_SIMPLEX;  // OpenCV's only plain letters
+constexpr double kUnit = 0.5;                    // OpenCV's scale for 11 px capitals
 
 }  // namespace
 
@@ -22,7 +22,7 @@ void write(cv::Mat3b& picture, const std::string& text, cv::Point at, const cv::
 
 void write_label(cv::Mat3b& picture, const std::string& text, cv::Point at,
                  const cv::Scalar& colour) {
-  constexpr double kSize = 0.9;
+  constexpr double kSize = 0.9;  // a little below the text's, of 10 px capitals on a plate of 17
   const cv::Size plate(text_width(text, kSize) + 8, 17);
   at.x = std::clamp(at.x, 0, std::max(0, picture.cols - plate.width));
   at.y = std::clamp(at.y, 0, std::max(0, picture.rows - plate.height));

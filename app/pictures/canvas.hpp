@@ -6,13 +6,13 @@
 /// Small drawing helpers that all pictures share. Colours are BGR.
 namespace striate::pictures {
 
-inline const cv::Scalar kBackground{30, 27, 25};
-inline const cv::Scalar kInk{235, 235, 235};
-inline const cv::Scalar kQuietInk{165, 160, 155};
-inline const cv::Scalar kHidden{16, 14, 13};  ///< darker than the unknown
-inline const cv::Scalar kFree{110, 200, 90};
-inline const cv::Scalar kBlocked{60, 60, 235};
-inline const cv::Scalar kCorridor{235, 190, 60};
+inline const cv::Scalar kBackground{30, 27, 25};   ///< nearly black, so that pictures stand out
+inline const cv::Scalar kInk{235, 235, 235};       ///< light grey on the dark ground: text
+inline const cv::Scalar kQuietInk{165, 160, 155};  ///< darker grey: text that may be overlooked
+inline const cv::Scalar kHidden{16, 14, 13};       ///< darker than the unknown
+inline const cv::Scalar kFree{110, 200, 90};       ///< green: floor that is seen free
+inline const cv::Scalar kBlocked{60, 60, 235};     ///< red: what stands there
+inline const cv::Scalar kCorridor{235, 190, 60};   ///< blue: walls and axis of the corridor
 
 /// Text with its baseline's left end at `at`, anti-aliased; `size` 1 is 11 px high capitals.
 void write(cv::Mat3b& picture, const std::string& text, cv::Point at, const cv::Scalar& colour,

@@ -10,11 +10,11 @@
 namespace striate::pictures {
 namespace {
 
-constexpr int kGap = 8;
-constexpr int kCaption = 40;
+constexpr int kGap = 8;       // px between tiles
+constexpr int kCaption = 40;  // px above a tile: a line of text
 const cv::Size kLarge(640, 480);
 const cv::Size kSmall(316, 237);
-constexpr int kMapSide = 480;
+constexpr int kMapSide = 480;  // px: as high as the large picture
 
 void place(cv::Mat3b& page, const cv::Mat3b& tile, cv::Point at, const std::string& title) {
   tile.copyTo(page(cv::Rect(at, tile.size())));

@@ -7,7 +7,7 @@
 namespace striate::pictures {
 namespace {
 
-constexpr double kReach_m = 5.0;
+constexpr double kReach_m = 5.0;  // m to each side: where the next seconds of driving are (ours)
 constexpr double kHalfView_rad = 0.375;  // 43 degrees in all
 const cv::Vec3b kUnknown(78, 74, 70);
 const cv::Vec3b kFree(176, 214, 178);

@@ -15,10 +15,10 @@
 namespace striate::pictures {
 namespace {
 
-constexpr int kGap = 10;
-constexpr int kTitle = 24;  // room above a tile
-constexpr int kFoot = 42;   // room below the sheet's tiles, for legend and facts
-constexpr int kColumns = 3;
+constexpr int kGap = 10;     // px between tiles
+constexpr int kTitle = 24;   // room above a tile
+constexpr int kFoot = 42;    // room below the sheet's tiles, for legend and facts
+constexpr int kColumns = 3;  // tiles in a row
 
 class Sheet {
  public:

@@ -14,11 +14,11 @@ namespace {
 
 using simulator::FloorPlan;
 
-constexpr double kScale = 62.0;  // px per metre
-constexpr double kStrip_m = 20.0;
-constexpr double kAround_m = 0.45;
-constexpr int kTitle_px = 46;
-constexpr int kLegend_px = 40;
+constexpr double kScale = 62.0;       // px per metre
+constexpr double kStrip_m = 20.0;     // m in a row: 60 m corridors make three
+constexpr double kAround_m = 0.45;    // m around the corridor: walls and labels
+constexpr int kTitle_px = 46;         // px: a line of text and its gap
+constexpr int kLegend_px = 40;        // px: a line of text and its gap
 constexpr int kLeastWidth_px = 1110;  // the legend needs it
 const cv::Scalar kInk(60, 50, 45);
 const cv::Scalar kObstacle(90, 125, 170);
@@ -65,7 +65,7 @@ class Strip {
     for (const Point2& corner : plan.outline) outline.push_back(pixel(corner));
     cv::Mat1b inside(image_.size(), static_cast<uchar>(0));
     cv::fillPoly(inside, std::vector<std::vector<cv::Point>>{outline}, 255);
-    constexpr int kBlock = 6;
+    constexpr int kBlock = 6;  // px of the chequered floor outside
     for (int v = 0; v < image_.rows; v += kBlock) {
       for (int u = 0; u < image_.cols; u += kBlock) {
         const cv::Rect block = cv::Rect(u, v, kBlock, kBlock) & cv::Rect({}, image_.size());

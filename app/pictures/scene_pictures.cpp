@@ -13,8 +13,9 @@
 namespace striate::pictures {
 namespace {
 
-constexpr std::size_t kMostBoxes = 8;
-constexpr double kPlain = 0.75;  // brightness of the picture under the drawing
+constexpr std::size_t kMostBoxes = 8;  // more than these hide the picture
+/// Brightness of the picture under the drawing: lines stand out, things are seen (ours)
+constexpr double kPlain = 0.75;
 
 /// Level disparity of a thing seen at this bearing and distance: inverts level_point().
 double level_disparity(const ViewGeometry& geometry, const HeadPose& head,

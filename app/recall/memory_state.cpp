@@ -12,9 +12,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* kKind = "striate short-term memory";
-constexpr double kMoves = 0.5;
-constexpr std::size_t kCommandsShown = 10;
+constexpr const char* kKind = "striate short-term memory";  // first words of the file: what it is
+constexpr double kMoves = 0.5;  // share of a column that moved, as MotionSettings::least_share
+constexpr std::size_t kCommandsShown = 10;  // a second of commands
 
 /// JSON has no infinity: what is not known is null.
 Json known(double value) {

@@ -11,7 +11,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int kRingLabel = 8;
+constexpr int kRingLabel = 8;  // letters before a ring's line
 
 std::string angle(const Json& rad) {
   return fmt::format("{:+.0f} deg", degrees(rad.get<double>()));
@@ -51,6 +51,7 @@ std::string head(const Json& s) {
 
 /// Neighbouring sectors share a letter where the line is short; what stands goes before all.
 std::string folded(const std::string& sectors, std::size_t together) {
+  // Rising: of letters that are folded the later one wins
   static constexpr std::string_view kOrder = " .o#";
   std::string text;
   for (std::size_t at = 0; at < sectors.size(); at += together) {

@@ -14,6 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// 128 MiB: half of a chunk (recording_format.hpp); a larger memory is not copied
 constexpr std::uintmax_t kMostMemory_bytes = 128U << 20U;
 
 /// The innermost folder that all files are in.

@@ -8,8 +8,9 @@
 namespace striate {
 namespace {
 
+/// Diagnostics are published at 1 Hz by habit of ROS
 constexpr Duration kHealthEvery = std::chrono::seconds(1);
-constexpr double kOldPicture_s = 0.5;
+constexpr double kOldPicture_s = 0.5;  // five pictures missed, as RosSettings::stale_s
 
 }  // namespace
 

@@ -21,9 +21,9 @@ using Steady = std::chrono::steady_clock;
 constexpr auto kMostLate = std::chrono::milliseconds(200);
 /// Two pictures of the largest kind.
 constexpr std::size_t kMostPictures = std::size_t{64} << 20U;
-constexpr int kTurretPort = 1;
-constexpr int kLaserPort = 2;
-constexpr int kCameraPort = 3;
+constexpr int kTurretPort = 1;  // added to the base's port
+constexpr int kLaserPort = 2;   // added to the base's port
+constexpr int kCameraPort = 3;  // added to the base's port
 
 }  // namespace
 

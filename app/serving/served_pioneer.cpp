@@ -10,7 +10,7 @@ namespace {
 
 /// The servos' models set the pace; the simulated head keeps up with them.
 constexpr double kHeadFollows_rad_s = 20.0;
-constexpr Duration kLaserPeriod = std::chrono::milliseconds(100);
+constexpr Duration kLaserPeriod = std::chrono::milliseconds(100);  // both lasers sweep at 10 Hz
 
 /// The controller ramps speeds itself: the motors below it follow as fast as motors do.
 RobotDescription motors() {

@@ -17,6 +17,7 @@ class ServedPioneer {
                 const simulator::SimulatorSettings& settings,
                 const pioneer::FirmwareSettings& firmware);
 
+  /// Of physics, as the simulated Pioneer's (10 ms)
   static constexpr Duration kStep = std::chrono::milliseconds(10);
   /// One step of physics and controller.
   void step();

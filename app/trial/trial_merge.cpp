@@ -50,7 +50,8 @@ void check_same_trial(const Found& first, const Found& other) {
 
 using Runs = std::map<Key, Found>;
 
-constexpr std::uint64_t kMostRuns = 10000;  ///< of a world in a trial
+/// Of a world in a trial: a row with more is a typing error
+constexpr std::uint64_t kMostRuns = 10000;
 
 /// Runs that came to no end, and holes: a trial gives every world the same seeds in a row.
 std::set<Key> missing_runs(const Runs& all, std::set<Key> unfinished) {

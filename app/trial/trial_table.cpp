@@ -17,6 +17,7 @@ struct PaperFigure {
   const char* setup;
   int successes;
 };
+/// Successes in 20 runs; paper, section on the corridor runs
 constexpr PaperFigure kPaper[] = {{"corridor_a", 17}, {"corridor_b", 16}, {"corridor_c", 16}};
 
 struct Row {
@@ -72,6 +73,7 @@ std::string without_number(std::string name) {
 }
 
 std::string long_stands(const std::vector<RunResult>& results) {
+  // s: a person who watches takes so long a stand for the end of the run (ours)
   constexpr double kLong_s = 30.0;
   std::string text;
   for (const RunResult& result : results) {
@@ -104,6 +106,7 @@ std::string causes(const std::vector<RunResult>& results) {
 
 Interval wilson_interval(int successes, int runs) {
   if (runs <= 0) return {};
+  // 97.5 % quantile of the normal distribution: an interval of 95 %
   constexpr double kZ = 1.959964;
   const double n = runs;
   const double p = successes / n;

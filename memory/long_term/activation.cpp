@@ -9,8 +9,8 @@
 namespace striate {
 namespace {
 
-constexpr double kNearest_s = 1.0;
-constexpr double kEdge = 1e-6;  ///< strength keeps so far away from 0 and 1
+constexpr double kNearest_s = 1.0;  ///< by hand: at an age of 0 the power would be infinite
+constexpr double kEdge = 1e-6;      ///< by hand: strength keeps so far away from 0 and 1
 
 double age_s(double now_s, double then_s) {
   return std::max(now_s - then_s, kNearest_s);

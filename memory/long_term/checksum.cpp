@@ -31,6 +31,7 @@ constexpr Tables kTables = make_tables();
 
 #if defined(__x86_64__)
 
+// By hand: a view of 150 descriptors of 32 bytes is three rounds of three lanes.
 constexpr std::size_t kLane_bytes = 512;
 
 /// What kLane_bytes of zeros make of each byte of a register: the step is linear, so a register's

@@ -24,8 +24,8 @@ class EpisodeGate {
   }
 
  private:
-  static constexpr double kSamePlace_m = 0.5;
-  static constexpr double kSameTime_s = 60.0;
+  static constexpr double kSamePlace_m = 0.5;  ///< by hand: a robot's length
+  static constexpr double kSameTime_s = 60.0;  ///< by hand: a line a minute at most
   struct Last {
     double time_s;
     Point2 where;

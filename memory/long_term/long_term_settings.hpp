@@ -5,7 +5,7 @@
 namespace striate {
 
 /// How the long-term memory learns and forgets. The group's papers publish no constants; these are
-/// ours.
+/// ours, by hand (memory/README.md), but for the decay, which is ACT-R's usual 0.5.
 struct LongTermSettings {
   double decay = 0.5;              ///< d of ACT-R
   double goal_spread = 2.0;        ///< added to the activation of what the task is after

@@ -7,9 +7,9 @@
 namespace striate {
 namespace {
 
-constexpr double kApart_m = 1.0;  ///< nearer to each other, two say little about the heading
-constexpr double kGate = 13.8;    ///< chi squared of 99.9 %, two degrees of freedom
-constexpr double kLeastError_m = 0.1;
+constexpr double kApart_m = 1.0;       // by hand: nearer, two say little about the heading
+constexpr double kGate = 13.8;         ///< chi squared of 99.9 %, two degrees of freedom
+constexpr double kLeastError_m = 0.1;  ///< by hand: twice the error of a landmark's middle
 
 bool agrees(const Pose2& origin, const OnBothMaps& one) {
   const Point2 at = to_outer(origin, Point2{one.theirs.x_m, one.theirs.y_m});

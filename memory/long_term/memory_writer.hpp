@@ -43,7 +43,7 @@ class MemoryWriter {
   [[nodiscard]] const std::vector<std::string>& notices() const { return file_.notices(); }
 
  private:
-  static constexpr std::size_t kMostQueued = 1024;
+  static constexpr std::size_t kMostQueued = 1024;  ///< by hand: jobs, 100 s at one in each cycle
 
   void work();
   void commit_posted(std::vector<Job>& jobs);

@@ -7,7 +7,7 @@
 namespace striate {
 namespace {
 
-constexpr double kMostLogOdds = 20.0;  ///< the table's bound
+constexpr double kMostLogOdds = 20.0;  ///< the bound that schema.cpp gives the table
 
 }  // namespace
 

@@ -67,7 +67,7 @@ struct MapPosition {
 
 /// When something was used: how often, when first, and the last ten times, newest first.
 struct UseHistory {
-  static constexpr std::size_t kKept = 10;
+  static constexpr std::size_t kKept = 10;  ///< last uses kept exactly (Petrov 2006)
   std::int64_t uses = 0;
   double first_s = 0.0;
   std::vector<double> recent_s;
@@ -107,6 +107,7 @@ struct ObstacleCell {
   double log_odds = 0.0;
   double seen_s = 0.0;
 };
+/// By hand: two patches of the short-term map each way.
 inline constexpr double kObstacleCell_m = 0.10;
 
 /// What happened, when and where.

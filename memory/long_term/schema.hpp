@@ -8,7 +8,7 @@ namespace striate::schema {
 
 /// "Stri" in the file's header: what tells a memory from any other SQLite file.
 inline constexpr std::int64_t kApplicationId = 0x53747269;
-/// Kept in `user_version`.
+/// Kept in `user_version`; grows with each step of `steps`.
 inline constexpr int kVersion = 1;
 /// With SQLite's usual 4 kB a view of 150 descriptors leaves 28 % of its pages empty, with 32 kB
 /// 2.5 %.

@@ -14,9 +14,10 @@ namespace striate {
 /// hash table of fixed size. What does not fit is not kept: growth is bounded.
 class ObstacleGrid {
  public:
-  static constexpr std::size_t kSlots = std::size_t{1} << 17;
-  static constexpr std::size_t kMostCells = kSlots / 4 * 3;
-  static constexpr float kMostLogOdds = 6.0F;
+  static constexpr std::size_t kSlots = std::size_t{1}
+                                        << 17;               ///< by hand: 2 MB of slots of 16 bytes
+  static constexpr std::size_t kMostCells = kSlots / 4 * 3;  ///< fuller, searches grow long; 983 m2
+  static constexpr float kMostLogOdds = 6.0F;  ///< by hand: a few missions, not many, change a cell
 
   /// Allocates.
   void start();

@@ -83,7 +83,7 @@ class PlaceEstimate {
   }
 
  private:
-  static constexpr int kSure = 2;  ///< looks that make a place worth keeping
+  static constexpr int kSure = 2;  ///< by hand: looks that make a place worth keeping
 
   PlacedLandmark* entry_for(std::int64_t landmark);
   Look take(PlacedLandmark& one, const LandmarkSighting& sighting, const Pose2& from);

@@ -11,7 +11,8 @@ using namespace place_state;
 
 namespace {
 
-/// The errors of the odometry are not quite constant: so much of them changes in ten metres.
+/// By hand: the errors of the odometry are not quite constant: so much of them changes in ten
+/// metres.
 constexpr double kWanderShare = 0.1;
 constexpr double kWanderEvery_m = 10.0;
 

@@ -19,8 +19,8 @@ using PoseCovariance = std::array<double, 9>;
 /// 0 .. size() - 1. Allocates in `start` alone.
 class PlaceFilter {
  public:
-  static constexpr int kLandmarks = 128;
-  static constexpr int kRobot = 6;
+  static constexpr int kLandmarks = 128;  ///< by hand: a covariance of 262 x 262, 0.55 MB
+  static constexpr int kRobot = 6;        ///< pose and the three errors of its odometry
 
   explicit PlaceFilter(const PlaceSettings& settings) : settings_(settings) {}
 

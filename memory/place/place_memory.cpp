@@ -7,12 +7,14 @@
 namespace striate {
 namespace {
 
-constexpr std::size_t kMostRecalled = 48;  ///< of LandmarkMemory::kCapacity
-constexpr std::size_t kMostCellsTold = 4096;
-constexpr float kSays = 0.5F;    ///< log-odds below which a cell of the window says nothing
+// "By hand": memory/README.md, "Where the numbers come from".
+
+constexpr std::size_t kMostRecalled = 48;     ///< by hand, of the 64 of LandmarkMemory::kCapacity
+constexpr std::size_t kMostCellsTold = 4096;  ///< by hand: of one cycle; the rest in the next ones
+constexpr float kSays = 0.5F;  ///< log-odds below which a cell says nothing: LocalGrid::kFreeBelow
 constexpr float kStands = 0.5F;  ///< weight of one of the four small cells that make a large one
-constexpr float kFree = 0.25F;
-constexpr double kAhead_rad = 1.2;
+constexpr float kFree = 0.25F;   ///< the same of floor: four small cells make one look at all of it
+constexpr double kAhead_rad = 1.2;  ///< by hand, 69 degrees: what lies more aside is not ahead
 
 double sigma_of(const MapPosition& place) {
   const double mean = (place.var_x_m2 + place.var_y_m2) / 2.0;

@@ -6,10 +6,10 @@
 namespace striate {
 namespace {
 
-constexpr double kSeenWithin_m = 6.0;  ///< of way: longer unseen, it may have been another thing
-constexpr double kFartherBy_m = 0.5;   ///< than at its nearest: passed; nearer again: approached
-constexpr int kWitnesses = 3;          ///< looks: what was seen once or twice may be another thing
-constexpr double kAgainAfter_m = 1.5;  ///< of way: sooner, it is the same pass
+constexpr double kSeenWithin_m = 6.0;  // by hand, of way: longer unseen, it may be another
+constexpr double kFartherBy_m = 0.5;   // by hand: than at its nearest, or nearer again
+constexpr int kWitnesses = 3;  ///< by hand, looks: what was seen once or twice may be another thing
+constexpr double kAgainAfter_m = 1.5;  ///< by hand, of way: sooner, it is the same pass
 
 }  // namespace
 

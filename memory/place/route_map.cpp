@@ -9,11 +9,14 @@
 namespace striate {
 namespace {
 
-constexpr double kWayShare = 0.01;  ///< error of a driven distance: a share of it ...
-constexpr double kStation_m = 0.3;  ///< ... and where the stations' nearest points lay
-constexpr double kTurnSigma_rad = 0.1;
-constexpr double kBackwardsCost = 1.2;  ///< of a stretch never driven in this direction
-constexpr double kTrustBefore = 1.0;    ///< successes and failures that a new stretch is given
+// "By hand": memory/README.md, "Where the numbers come from".
+
+constexpr double kWayShare = 0.01;      // error of a driven distance: the base's 0.75 %, and more
+constexpr double kStation_m = 0.3;      ///< by hand: and where the stations' nearest points lay
+constexpr double kTurnSigma_rad = 0.1;  ///< by hand, 6 degrees: how the robot swings as it passes
+constexpr double kMostLooks = 10.0;     ///< by hand: more drives make a stretch no surer
+constexpr double kBackwardsCost = 1.2;  ///< by hand: of a stretch never driven in this direction
+constexpr double kTrustBefore = 1.0;    ///< Laplace's rule of succession: one success, one failure
 
 /// Distance, made longer by its doubt and divided by the chance of success.
 double cost_of(const Route& route) {
@@ -75,8 +78,8 @@ void RouteMap::driven(std::int64_t from, std::int64_t to, double distance_m, dou
     join(route.turn_rad, route.turn_var_rad2, wrap_angle(turn_rad - route.turn_rad), turn_var_rad2);
     route.turn_rad = wrap_angle(route.turn_rad);
     // What is never seen to vary still differs from drive to drive.
-    route.distance_var_m2 = std::max(route.distance_var_m2, kStation_m * kStation_m / 10.0);
-    route.turn_var_rad2 = std::max(route.turn_var_rad2, turn_var_rad2 / 10.0);
+    route.distance_var_m2 = std::max(route.distance_var_m2, kStation_m * kStation_m / kMostLooks);
+    route.turn_var_rad2 = std::max(route.turn_var_rad2, turn_var_rad2 / kMostLooks);
     ++route.successes;
     changed_[k] = true;
     return;

@@ -21,7 +21,7 @@ struct RouteStep {
 
 /// A way over landmarks, in fixed memory.
 struct RoutePlan {
-  static constexpr std::size_t kMost = 64;
+  static constexpr std::size_t kMost = 64;  ///< by hand: steps, a quarter of all stations
   bool found = false;
   std::array<RouteStep, kMost> steps{};
   std::size_t size = 0;
@@ -34,8 +34,8 @@ struct RoutePlan {
 /// graph whose cost is the expected distance, made longer by doubt and by failures.
 class RouteMap {
  public:
-  static constexpr std::size_t kStations = 256;
-  static constexpr std::size_t kRoutes = 1024;
+  static constexpr std::size_t kStations = 256;  ///< by hand: twice what PlaceFilter holds at once
+  static constexpr std::size_t kRoutes = 1024;   ///< by hand: four from each station
 
   RouteMap();
 

@@ -10,19 +10,34 @@
 namespace striate {
 namespace {
 
-constexpr double kWallsCount = 1.0;  // weight of stereo's walls against the edges' score
+/// Weight in the score, where the best edges count 1: walls count as much (ours)
+constexpr double kWallsCount = 1.0;
+/// Of the share of pixels, at most 1: planes count as much as edges (ours)
 constexpr double kPlanesCount = 1.0;
-constexpr double kBeyond_rad = 0.2;  // searched too, so that what lies there beats a wrong guess
+/// 11 deg (ours). Searched too, so that what lies there beats a wrong guess
+constexpr double kBeyond_rad = 0.2;
+/// 3.4 deg: the error of one edge's direction, as in vanishing_point.cpp
 constexpr double kSameHeading_rad = 0.06;
-constexpr double kHalfBelief_px = 50.0;  // this much converging line gives half the confidence
+/// So much converging line gives half the confidence; fitted, see confidence_of()
+constexpr double kHalfBelief_px = 50.0;
+/// A fitted line errs by as much: missing the point by it is no sign of doubt
 constexpr double kGoodSpread_px = 1.0;
-constexpr double kOneLine = 0.5;      // one line crosses nothing
-constexpr double kClearMargin = 0.7;  // score ahead of the runner-up that leaves no doubt
+/// Share of belief: one line crosses nothing. 0.85 x 0.5 is valid, but not sure
+constexpr double kOneLine = 0.5;
+/// Score ahead of the runner-up, of at most 3, that leaves no doubt; fitted, see confidence_of()
+constexpr double kClearMargin = 0.7;
+/// Share of belief; 0.85 x 0.3 < least_confidence: edges that point elsewhere too do not suffice
 constexpr double kLeastAlone = 0.3;
-constexpr double kChancePlane = 0.1;  // share of pixels on a plane that chance gives
+/// Share of pixels that lie on a plane by chance; fitted, see confidence_of()
+constexpr double kChancePlane = 0.1;
+/// Share beyond chance that leaves no doubt; fitted, see confidence_of()
 constexpr double kSurePlane = 0.35;
+/// Confidence from edges alone; fitted, see confidence_of(). With planes at most 0.96
 constexpr double kMostOfEdges = 0.85;
+/// Confidence from planes alone; fitted, see confidence_of()
 constexpr double kMostOfPlanes = 0.75;
+/// Belief lost for each px that the lines miss the point by; fitted, see confidence_of()
+constexpr double kLostPer_px = 0.5;
 
 /// What stereo has to say.
 struct Depth {
@@ -66,7 +81,7 @@ double confidence_of(const Candidate& best, double runner_up_score, double aslan
   const double alone = std::clamp((best.score - runner_up_score) / kClearMargin, kLeastAlone, 1.0);
   const double edges = (1.0 - std::exp2(-lines_px / kHalfBelief_px)) *
                        (best.point.lines > 1 ? 1.0 : kOneLine) /
-                       (1.0 + 0.5 * std::max(0.0, best.point.spread_px - kGoodSpread_px));
+                       (1.0 + kLostPer_px * std::max(0.0, best.point.spread_px - kGoodSpread_px));
   const double planes = std::clamp((best.planes - kChancePlane) / kSurePlane, 0.0, 1.0) *
                         std::max(0.0, 1.0 - aslant * aslant) * 0.5 * (1.0 + alone);
   return 1.0 - (1.0 - kMostOfEdges * edges * alone) * (1.0 - kMostOfPlanes * planes);

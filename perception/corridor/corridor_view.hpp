@@ -10,8 +10,9 @@
 namespace striate {
 
 struct CorridorSettings {
-  double widest_rad = 0.70;       ///< largest angle between the optical axis and the corridor
-  double least_confidence = 0.3;  ///< below, the view is not valid
+  /// 40 deg: planes say less and less up to here; the picture's own edge is at 21.5 deg
+  double widest_rad = 0.70;
+  double least_confidence = 0.3;  ///< above what edges alone have that also point elsewhere (0.255)
 };
 
 template <class V>

@@ -10,10 +10,17 @@
 namespace striate {
 namespace {
 
-constexpr float kLeastGradient = 0.8F;  // grey levels per px, below is no edge in any light
-constexpr float kOverMedian = 2.0F;     // of the median gradient
-constexpr float kHighestFloor = 5.0F;   // but a picture full of texture still has edges
-constexpr float kFullWeight = 1.5F;     // times the threshold
+/// Grey levels per px: a step of 2.5 levels, which the blur makes 0.32 of itself per px
+constexpr float kLeastGradient = 0.8F;
+/// Of the median: where all is noise (Rayleigh) 1 in 2^(2^2) = 16 pixels exceeds it
+constexpr float kOverMedian = 2.0F;
+/// Grey levels per px: a step of 15 levels is an edge in any texture (ours)
+constexpr float kHighestFloor = 5.0F;
+/// Times the threshold: three medians, which 1 in 2^(3^2) = 512 pixels of noise exceeds
+constexpr float kFullWeight = 1.5F;
+
+/// px: a smaller picture has no pixel whose neighbourhood lies inside it
+constexpr int kSmallestSide_px = 8;
 
 struct Gradients {
   cv::Mat1f along_u;
@@ -49,6 +56,7 @@ Gradients differentiate(const cv::Mat1b& grey) {
 /// The upper median: floats that are not negative are ordered as their bits are, so the leading 16
 /// bits say among which few it lies.
 float median_of(const cv::Mat1f& magnitude) {
+  // of a float's 32: sign, exponent and 7 bits of mantissa remain, less than 1 % wide
   constexpr int kFineBits = 16;
   const std::span<const float> values(magnitude.ptr<float>(), magnitude.total());
   std::vector<int> counts(std::size_t{1} << 15, 0);
@@ -99,7 +107,7 @@ float at(const cv::Mat1f& m, float v, float u) {
 
 std::vector<EdgePoint> find_edge_points(const cv::Mat1b& grey) {
   std::vector<EdgePoint> points;
-  if (grey.rows < 8 || grey.cols < 8) return points;
+  if (grey.rows < kSmallestSide_px || grey.cols < kSmallestSide_px) return points;
   const Gradients g = differentiate(grey);
   const float threshold = threshold_of(g.magnitude);
   for (int v = 2; v + 3 < grey.rows; ++v) {

@@ -18,14 +18,16 @@ constexpr int kRays = 360;  ///< directions in which lines leave a point
   const float s = slope * slope;
   // Error below 0.0004 rad: 0.023 rays.
   float angle = ((-0.0464964749F * s + 0.15931422F) * s - 0.327622764F) * s * slope + slope;
+  /// pi / 2: a quarter of a turn, rad
   constexpr auto kHalf = static_cast<float>(0.5 * std::numbers::pi);
-  constexpr auto kWhole = static_cast<float>(std::numbers::pi);
+  constexpr auto kWhole = static_cast<float>(std::numbers::pi);  ///< pi: half a turn, rad
   if (v > u) angle = kHalf - angle;
   if (du < 0.0F) angle = kWhole - angle;
   if (dv < 0.0F) angle = -angle;
+  /// 180 / pi: rays of one degree
   constexpr float kRaysPerRad = kRays * 0.5F * std::numbers::inv_pi_v<float>;
   const float ray = angle * kRaysPerRad + 0.5F * kRays;
-  constexpr float kBorder = 0.05F;
+  constexpr float kBorder = 0.05F;  ///< rays: twice the polynomial's error, which is 0.023
   const auto whole = static_cast<float>(static_cast<int>(std::min(2.0F * kRays, ray)));
   if (ray > whole + kBorder && ray < whole + 1.0F - kBorder) return static_cast<int>(whole);
   const double turn = std::atan2(dv, du) / (2.0 * std::numbers::pi) + 0.5;

@@ -7,17 +7,32 @@
 namespace striate {
 namespace {
 
+/// Confidence: all promises (0.5 and more) pass; of scores of 0.4 73 % are right (confidence_fit)
 constexpr double kTrusted = 0.4;
+/// Above the floor: what one px of disparity is worth in height 4 m away (1.2 m / 6.1 px)
 constexpr double kLowest_m = 0.2;
-constexpr double kHighest_m = 2.6;
+constexpr double kHighest_m = 2.6;  ///< just below the ceiling of the shipped corridors (2.7 m)
+/// One px of disparity is 2 m there, at width 160: beyond, all is one plane
 constexpr double kFarthest_m = 7.0;
-constexpr int kEvery = 5;  // pixels between samples, in u and v
+/// px between samples, in u and v: some 770 of 160 x 120, enough for shares of 0.12
+constexpr int kEvery = 5;
+/// Pairs: find a plane of a fifth of the samples in 1 - (1 - 0.2^2)^80 = 96 %
 constexpr int kTries = 80;
+/// Level disparity: about the error of a sub-pixel match (ours)
 constexpr double kTolerance_px = 0.3;
+/// Of the samples: just above what lies on a plane by chance (0.1, corridor_view.cpp)
 constexpr double kLeastShare = 0.12;
+/// Errors of 0.3 px at both ends turn the slope by no more than 0.03 px a column
 constexpr double kLeastWidth_px = 20.0;
-constexpr double kLeastAlong_m = 0.8;
-constexpr int kMostPlanes = 2;
+constexpr double kLeastAlong_m = 0.8;  ///< about a door leaf: what is shorter is furniture (ours)
+constexpr int kMostPlanes = 2;         ///< a corridor has two walls
+
+/// Samples; what is fewer than a twelfth of a full picture's is no plane but clutter (ours)
+constexpr std::size_t kFewestSamples = 60;
+/// Level disparity, px, 49 m away: keeps the ends of a plane on this side of its vanishing point
+constexpr double kFarthestLevel_px = 0.5;
+/// A twentieth of the inliers at either end is not counted in its width: chance hits (ours)
+constexpr std::size_t kTrimmedPart = 20;
 
 struct Sample {
   double u = 0.0;
@@ -93,8 +108,8 @@ Fit polish(const Fit& rough, const std::vector<Sample>& samples, double& from_u,
     columns.push_back(s.u);
   }
   std::sort(columns.begin(), columns.end());
-  from_u = columns[columns.size() / 20];
-  to_u = columns[columns.size() - 1 - columns.size() / 20];
+  from_u = columns[columns.size() / kTrimmedPart];
+  to_u = columns[columns.size() - 1 - columns.size() / kTrimmedPart];
   Fit fit = rough;
   const double spread = n * suu - su * su;
   if (spread > 0.0) {
@@ -111,7 +126,7 @@ std::vector<UprightPlane> find_upright_planes(const DisparityMap& map, const Vie
   std::vector<UprightPlane> planes;
   std::vector<Sample> samples = take_samples(map, geometry);
   const auto total = static_cast<double>(samples.size());
-  while (planes.size() < kMostPlanes && samples.size() > 60) {
+  while (planes.size() < kMostPlanes && samples.size() > kFewestSamples) {
     const Fit rough = best_fit(samples, geometry.centre_u_px(), reach_px);
     if (rough.inliers < kLeastShare * total) break;
     double from_u = 0.0;
@@ -119,8 +134,10 @@ std::vector<UprightPlane> find_upright_planes(const DisparityMap& map, const Vie
     const Fit fit = polish(rough, samples, from_u, to_u);
     std::erase_if(samples, [&](const Sample& s) { return lies_on(rough, s); });
     if (to_u - from_u < kLeastWidth_px || fit.slope == 0.0) continue;
-    const Point2 a = geometry.level_point(from_u, std::max(0.5, fit.at_zero + fit.slope * from_u));
-    const Point2 b = geometry.level_point(to_u, std::max(0.5, fit.at_zero + fit.slope * to_u));
+    const Point2 a =
+        geometry.level_point(from_u, std::max(kFarthestLevel_px, fit.at_zero + fit.slope * from_u));
+    const Point2 b =
+        geometry.level_point(to_u, std::max(kFarthestLevel_px, fit.at_zero + fit.slope * to_u));
     UprightPlane plane;
     plane.vanishing_u_px = -fit.at_zero / fit.slope;
     plane.share = rough.inliers / total;

@@ -10,16 +10,34 @@
 namespace striate {
 namespace {
 
+/// The least spread of a vote: finer bins would say nothing more
 constexpr double kVoteBin_px = 2.0;
-constexpr double kAngleError_rad = 0.06;  // of one edge point's orientation
-constexpr float kUpright = 0.975F;        // |normal_u| above: within 13 degrees of upright
-constexpr float kHorizonBand_px = 5.0F;   // edges so near the horizon cross it anywhere
-constexpr float kAligned = 0.10F;         // sine of the angle by which an edge may miss the point
-constexpr float kLongest_px = 45.0F;      // one line cannot count for more
-constexpr float kShortest_px = 8.0F;      // shorter is texture
+/// 3.4 deg, of one edge point's orientation over 3x3 pixels (ours)
+constexpr double kAngleError_rad = 0.06;
+/// cos 13 deg: |normal_u| above it is a door frame or corner, which meets nothing
+constexpr float kUpright = 0.975F;
+/// 1.4 deg: edges so near the horizon run along it and cross it anywhere (ours)
+constexpr float kHorizonBand_px = 5.0F;
+/// Sine, 6 deg: kAngleError_rad and as much again for where the point is not yet exact
+constexpr float kAligned = 0.10F;
+/// Over a quarter of 160 px: no single line may outvote two others (ours)
+constexpr float kLongest_px = 45.0F;
+constexpr float kShortest_px = 8.0F;  ///< shorter is texture; as far as kSamePlace_px (ours)
+/// Places judged; the corridor's own, a crossing's, four of chance. Each costs time (ours)
 constexpr int kCandidates = 6;
-constexpr double kSamePlace_px = 8.0;  // nearer ones are the same place
-constexpr double kHorizonPrior = 4.0;  // weight of the horizon's row against a line
+/// 2.3 deg at width 160, below kAngleError_rad: nearer ones are the same place
+constexpr double kSamePlace_px = 8.0;
+/// px of line: the horizon is known from the tilt, but a long line (45) knows better
+constexpr double kHorizonPrior = 4.0;
+
+/// Sine, 4.6 deg: a line so level crosses the horizon where its error puts it (ours)
+constexpr double kLevel = 0.08;
+/// Votes, 14 px in all: what a candidate takes from its neighbourhood (ours)
+constexpr int kTakenBins = 3;
+/// px uphill to either side of a candidate: two bins, half of kSamePlace_px
+constexpr double kClimb_px = 4.0;
+/// Times; each uses the lines through the point of the one before (ours)
+constexpr int kRefinements = 2;
 
 bool may_vote(const EdgePoint& e, const VanishingSearch& search) {
   return std::abs(e.normal_u) < kUpright &&
@@ -32,10 +50,11 @@ std::vector<double> vote(const std::vector<EdgePoint>& edges, const VanishingSea
   std::vector<double> votes(bins, 0.0);
   for (const EdgePoint& e : edges) {
     const double along = std::abs(e.normal_u);  // sine of the line's angle to the horizon
-    if (along < 0.08) continue;
+    if (along < kLevel) continue;
     const double dv = search.horizon_v_px - e.v_px;
     const double u = e.u_px - dv * e.normal_v / e.normal_u;
-    const double spread_px = std::max(2.0, std::abs(dv) * kAngleError_rad / (along * along));
+    const double spread_px =
+        std::max(kVoteBin_px, std::abs(dv) * kAngleError_rad / (along * along));
     const int from =
         std::max(0, static_cast<int>((u - spread_px - search.from_u_px) / kVoteBin_px));
     const int to = std::min(
@@ -53,7 +72,8 @@ std::vector<double> best_candidates(std::vector<double> votes, const VanishingSe
     if (*top <= 0.0) break;
     const int bin = static_cast<int>(top - votes.begin());
     candidates.push_back(search.from_u_px + (bin + 0.5) * kVoteBin_px);
-    for (int b = std::max(0, bin - 3); b <= std::min(bins - 1, bin + 3); ++b) votes[b] = 0.0;
+    for (int b = std::max(0, bin - kTakenBins); b <= std::min(bins - 1, bin + kTakenBins); ++b)
+      votes[b] = 0.0;
   }
   return candidates;
 }
@@ -221,7 +241,7 @@ VanishingPoint refine(const std::vector<EdgePoint>& voters, const VanishingSearc
   VanishingPoint point;
   point.v_px = search.horizon_v_px;
   std::vector<Aligned> aligned;
-  for (double u = candidate_u_px - 4.0; u <= candidate_u_px + 4.0; u += 2.0) {
+  for (double u = candidate_u_px - kClimb_px; u <= candidate_u_px + kClimb_px; u += kVoteBin_px) {
     find_aligned(voters, u, search.horizon_v_px, aligned);
     const double score = score_of(sum_rays(aligned));
     if (score > point.score) {
@@ -231,7 +251,7 @@ VanishingPoint refine(const std::vector<EdgePoint>& voters, const VanishingSearc
   }
   if (point.score <= 0.0) point.u_px = candidate_u_px;
   std::vector<Line> lines;
-  for (int round = 0; round < 2; ++round) {
+  for (int round = 0; round < kRefinements; ++round) {
     find_aligned(voters, point.u_px, point.v_px, aligned);
     lines = lines_through(aligned);
     if (lines.empty()) break;

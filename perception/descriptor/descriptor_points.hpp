@@ -6,7 +6,8 @@
 
 namespace striate {
 
-inline constexpr int kDescriptorPoints = 32;
+inline constexpr int kDescriptorPoints = 32;  ///< on 4 circles; paper, section on the descriptor
+/// 32 points x 8 orientations; paper, section on the descriptor
 inline constexpr int kDescriptorBits = 256;
 
 /// A point of the descriptor relative to its centre, in whole pixels (u right, v down).
@@ -22,7 +23,9 @@ struct DescriptorPoint {
 /// @param widening factor of all radii; 1 is the paper's.
 [[nodiscard]] inline std::array<DescriptorPoint, kDescriptorPoints> descriptor_points(
     double wavelength_px, double widening) {
+  /// Of lambda; paper, section on the descriptor
   constexpr std::array<double, 4> kRadius = {0.2, 0.45, 0.75, 1.0};
+  /// Points a circle; the paper says 32 in all, the group's program 4, 6, 9 and 13
   constexpr std::array<int, 4> kCount = {4, 6, 9, 13};
   // Without the nudge, 3 cos(120 deg) = -1.4999999999999993 depends on the mathematics library.
   auto nearest = [](double value) { return static_cast<int>(std::floor(value + 0.5 + 1e-9)); };

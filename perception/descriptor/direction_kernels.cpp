@@ -45,6 +45,7 @@ HWY_INLINE V Angle_deg(V u, V v) {
   const V ratio = hn::Div(hn::Min(along, across),
                           hn::Add(hn::Max(along, across), hn::Set(d, 2.2204460492503131e-16F)));
   const V square = hn::Mul(ratio, ratio);
+  // Degrees in a radian: 180 / pi
   constexpr auto kDegrees = static_cast<float>(180.0 / std::numbers::pi);
   V angle = hn::Set(d, -0.04432655554792128F * kDegrees);
   for (const float factor : {0.1555786518463281F, -0.3258083974640975F, 0.9997878412794807F}) {

@@ -8,12 +8,13 @@
 
 namespace striate {
 
+/// Comparisons a phase, each a bit of 8 orientations: eighths of a turn need 4
 inline constexpr int kPhaseBytes = 4;
 
 /// Where the 8 phase codes of a descriptor are taken, around its centre.
 inline constexpr std::array<DescriptorPoint, 8> kPhasePoints = {
     {{0, -2}, {-1, -1}, {1, -1}, {-2, 0}, {2, 0}, {-1, 1}, {1, 1}, {0, 2}}};
-inline constexpr int kPhaseReach = 2;
+inline constexpr int kPhaseReach = 2;  ///< px: how far kPhasePoints lie from the centre
 
 /// The local phase of the simple cells, atan2(odd, even) in eighths of a turn, as 4 bits per
 /// orientation: odd > 0, even > 0, even > odd, even > -odd. Neighbouring eighths differ in one bit

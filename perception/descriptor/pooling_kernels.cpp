@@ -16,7 +16,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 std::int16_t LargestResponse(const OddWindow& window) {
   const hn::CappedTag<std::int16_t, 2 * kOrientations> d;
-  constexpr std::size_t kStep = hn::MaxLanes(d);
+  constexpr std::size_t kStep = hn::MaxLanes(d);  // 16-bit lanes at a time
   auto largest = hn::Zero(d), least = hn::Zero(d);
   for (const std::int16_t* plane : window.odd) {
     for (int y = 0; y < kWindowSide_px; ++y, plane += window.stride) {
@@ -126,6 +126,7 @@ HWY_INLINE void TurnPixels(D d, const Directions& from, std::ptrdiff_t at, std::
 
 void TurnWindow(const OddWindow& window, const Turn& turn, std::int16_t* HWY_RESTRICT out) {
   const Directions from(window, turn);
+  // Pixels at a time, as many as there are lanes
   constexpr int kStep = static_cast<int>(hn::MaxLanes(DMost()));
   for (int y = kFirstTurned_px; y < kBehindTurned_px; ++y) {
     const std::ptrdiff_t at = static_cast<std::ptrdiff_t>(y) * window.stride;

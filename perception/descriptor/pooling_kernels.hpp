@@ -10,8 +10,11 @@
 /// same bits on every instruction set.
 namespace striate::pooling_kernels {
 
+/// 11 px before the place and 13 behind: the outer circle (5.35) and its Gaussian's taps
 inline constexpr int kWindowSide_px = 24;
+/// Odd cells of 8 orientations, light and dark side
 inline constexpr int kChannels = 2 * kOrientations;
+/// Of 16 bits: 18 KiB, which stay in the first cache
 inline constexpr int kWindowValues = kWindowSide_px * kWindowSide_px * kChannels;
 
 /// The odd responses of a square of kWindowSide_px, at its upper left pixel.
@@ -35,7 +38,8 @@ struct Turn {
 /// [-v_(c-8)]+ above. Only rows kFirstTurned_px .. kBehindTurned_px - 1, which are all that pools
 /// reach; the others of `out` are left as they are.
 void turn_window(const OddWindow& window, const Turn& turn, std::int16_t* out);
-inline constexpr int kFirstTurned_px = 2;
+inline constexpr int kFirstTurned_px = 2;  ///< row of the window: the outermost pool's first tap
+/// Row of the window behind the outermost pool's last tap
 inline constexpr int kBehindTurned_px = 22;
 
 /// A Gaussian as a product of two rows of taps, in 1/32768.

@@ -12,16 +12,19 @@ namespace {
 
 using pooling_kernels::kWindowSide_px;
 
+/// A frame's diameter, px, where it is looked at; half the resolution lost nothing (patches)
 constexpr double kPixelsPerSize = 2.0;
-constexpr int kBefore_px = 11;                          ///< window pixels before the place
+/// Window pixels before the place: 5.35 px of radius, and the taps of sigma 1.25 px
+constexpr int kBefore_px = 11;
 constexpr int kReach_px = kWindowSide_px - kBefore_px;  ///< more than behind it
-constexpr int kParts = 16;                              ///< of a pixel
-constexpr double kTapSum = 32768.0;
+constexpr int kParts = 16;           ///< of a pixel: places are rounded by at most 1/32 px
+constexpr double kTapSum = 32768.0;  ///< 1 in fixed point: 16 bits hold a signed product's 15
 
 struct CircleShape {
   int points;
   double radius_px, sigma_px, turn;
 };
+/// Chosen by patches of the Oxford sequences ("what was tried", tests/evaluation)
 constexpr CircleShape kCircles[] = {
     {1, 0.0, 0.84, 0.0}, {6, 2.08, 0.91, 0.0}, {8, 4.05, 1.19, 0.5}, {10, 5.35, 1.25, 0.0}};
 
@@ -33,6 +36,9 @@ int parts_of(double at_px) {
   return static_cast<int>(at_px * kParts + 0.5);
 }
 
+/// Of the middle tap: beyond 2.65 sigma nothing is pooled, exp(-2.65^2 / 2) = 0.03.
+constexpr double kLeastTap = 0.03;
+
 /// Gaussian taps around a place so many parts of a pixel behind the middle left one.
 std::vector<std::int16_t> gaussian_taps(int taps, double sigma_px, int part) {
   const int middle = taps / 2 - 1;
@@ -42,7 +48,7 @@ std::vector<std::int16_t> gaussian_taps(int taps, double sigma_px, int part) {
   for (int k = 0; k < taps; ++k) {
     const double d = k - middle - behind;
     const double value = std::exp(-d * d / (2.0 * sigma_px * sigma_px));
-    row[static_cast<std::size_t>(k)] = value < 0.03 ? 0.0 : value;
+    row[static_cast<std::size_t>(k)] = value < kLeastTap ? 0.0 : value;
     sum += row[static_cast<std::size_t>(k)];
   }
   std::vector<std::int16_t> result(row.size());

@@ -14,6 +14,7 @@ constexpr const char* kShipped =
 #include "perception/descriptor/striate_256.inc"
     ;
 
+/// Thousandths of the mean: 100 times the mean response, more than any patch has
 constexpr int kLargestThreshold = 100000;
 
 bool is_comment(const std::string& line) {

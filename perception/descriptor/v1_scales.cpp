@@ -8,7 +8,9 @@
 namespace striate {
 namespace {
 
+/// Half a V1 kernel (15 px at lambda = 3): a smaller picture shows it nothing
 constexpr int kSmallestSide_px = 8;
+/// One octave finer than the picture: an enlargement holds nothing more
 constexpr int kFinestLevel = -V1Scales::kPerOctave;
 
 }  // namespace

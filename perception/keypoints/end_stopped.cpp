@@ -40,7 +40,8 @@ EndStoppedGeometry end_stopped_geometry(double wavelength_px, const KeypointSett
   geometry.radial_factor = fixed_factor(settings.radial_factor);
   geometry.single_stopped = settings.response == EndStoppedResponse::largest;
   const double share = geometry.radial_factor.fraction / 65536.0;
-  const double d = 0.6 * wavelength_px;
+  constexpr double kDistance = 0.6;  // of lambda; the V1 model's d
+  const double d = kDistance * wavelength_px;
   for (std::size_t i = 0; i < kOrientations; ++i) {
     const double theta = static_cast<double>(i) * std::numbers::pi / kOrientations;
     const double c = std::cos(theta), s = std::sin(theta);

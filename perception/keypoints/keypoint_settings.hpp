@@ -12,18 +12,20 @@ enum class EndStoppedResponse {
 
 /// Keypoints of one or many scales, two per octave.
 struct KeypointSettings {
-  double wavelength_px = 8.0;  ///< lambda of the finest scale, in the picture that is handed in
-  bool halve = true;           ///< lambda / 2 on the picture at half its size: the same up to blur
-  int scales = 1;              ///< wavelength_px * sqrt(2)^k, k = 0 .. scales - 1
+  /// Lambda of the finest scale, in the picture that is handed in; the paper's one scale
+  double wavelength_px = 8.0;
+  bool halve = true;  ///< lambda / 2 on the picture at half its size: the same up to blur
+  int scales = 1;     ///< wavelength_px * sqrt(2)^k, k = 0 .. scales - 1
   EndStoppedResponse response = EndStoppedResponse::double_stopped;
-  double inhibition = 0.25;    ///< g: weight of tangential and radial inhibition
+  /// G: weight of tangential and radial inhibition; the model's 1 repeats less (README)
+  double inhibition = 0.25;
   double radial_factor = 4.0;  ///< k of the original model's radial inhibition
-  double threshold = 0.04;     ///< of the largest response of its scale
+  double threshold = 0.04;     ///< of the largest response of its scale; the V1 model's fraction
   double fine_first = 1.0;  ///< responses are divided by (lambda / finest lambda)^this: the larger
                             ///< the cells, the less exact the place
   double apart = 0.4;       ///< wavelengths: of two keypoints that are nearer the stronger stays;
                             ///< only where there are several scales
-  int most = 1000;          ///< the strongest so many are kept
+  int most = 1000;  ///< the strongest so many are kept; as many as are judged (eval keypoints)
 };
 
 template <class V>

@@ -119,6 +119,7 @@ void LineFinder::find(const cv::Mat1b& grey, LinesAndEdges& out) {
     }
   }
   // What rounding leaves on a blank picture is no contour.
+  // Units of strength that rounding leaves on a blank picture: no contour
   constexpr double kRounding = 4.0;
   least_ = std::max(kRounding, settings_.threshold * complex_response(largest));
   // Furthest sample: lambda / 4 beyond an event 0.5 px away, and its right neighbour.

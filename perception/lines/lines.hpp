@@ -27,8 +27,9 @@ struct LinesAndEdges {
 };
 
 struct LineSettings {
-  double wavelength_px = 4.0;
-  double threshold = 0.1;  ///< of the largest complex response in the picture
+  double wavelength_px = 4.0;  ///< px; the finest of the V1 model's scales (lambda = 4 .. 64)
+  /// Of the largest complex response in the picture (ours; the 2009 model gives none)
+  double threshold = 0.1;
 };
 
 template <class V>

@@ -5,9 +5,10 @@
 namespace striate {
 namespace {
 
-constexpr std::size_t kBlocksAtOnce = 2;
+constexpr std::size_t kBlocksAtOnce = 2;  // the search reads blocks in pairs (search_kernels.hpp)
 
 std::size_t blocks_for(std::size_t count) {
+  // Descriptors that room is made for at a time
   constexpr std::size_t kUnit = kBlocksAtOnce * DescriptorBlock::kSize;
   return (count + kUnit - 1) / kUnit * kBlocksAtOnce;
 }

@@ -13,6 +13,7 @@ namespace striate {
 
 /// Eight descriptors, word by word: what one load of a vector needs lies together.
 struct alignas(64) DescriptorBlock {
+  /// Descriptors: 8 words of 64 bits fill the widest vector, and a line of the cache
   static constexpr std::size_t kSize = 8;
   std::array<std::array<std::uint64_t, kSize>, 4> words{};
 };

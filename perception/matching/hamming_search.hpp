@@ -19,8 +19,8 @@ struct Match {
 
 /// The two nearest stored descriptors of one query.
 struct NearestTwo {
-  static constexpr std::uint32_t kNone = 0xFFFFFFFF;
-  std::uint32_t first = kNone;  ///< index; kNone: none below the limit
+  static constexpr std::uint32_t kNone = 0xFFFFFFFF;  ///< no index: no store holds so many
+  std::uint32_t first = kNone;                        ///< index; kNone: none below the limit
   std::uint32_t second = kNone;
   std::uint32_t first_bits = 257;  ///< Hamming distances; 257, more than any, where there is none
   std::uint32_t second_bits = 257;

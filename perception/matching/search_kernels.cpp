@@ -17,7 +17,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 using D64 = hn::CappedTag<std::uint64_t, DescriptorBlock::kSize>;
 using V64 = hn::Vec<D64>;
 
-constexpr std::size_t kQueries = kQueriesAtOnce;
+constexpr std::size_t kQueries = kQueriesAtOnce;  // queries that share each load of stored words
 
 /// The words of one vector of stored descriptors.
 struct Stored {

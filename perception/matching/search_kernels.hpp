@@ -11,7 +11,9 @@
 /// the first cache.
 namespace striate::search_kernels {
 
+/// Queries; times kBlocksAtOnce sums, that many registers of the 16 there are
 inline constexpr std::size_t kQueriesAtOnce = 4;
+/// Blocks of 8 descriptors whose sums stay in registers
 inline constexpr std::size_t kBlocksAtOnce = 2;
 inline constexpr std::size_t kBlocksOfChunk = 64;  ///< 512 descriptors, 16 KiB
 inline constexpr std::size_t kMostFound =

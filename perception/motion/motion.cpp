@@ -11,13 +11,19 @@
 namespace striate {
 namespace {
 
-constexpr int kFewestPixels = 8;      ///< judged pixels that a column's share needs
-constexpr double kUnexplained = 0.5;  ///< confidence of what looks like nothing before
-constexpr double kMostlyCame = 0.85;  ///< share of what was judged
-constexpr double kWide = 1.5;         ///< times the narrowest
-constexpr int kPool = 2;              ///< columns to either side that are judged together
-constexpr double kSameThing_m = 0.3;  ///< pixels this near to the column's obstacle are it ...
-constexpr double kSameThing = 0.12;   ///< ... or by this share of its distance
+/// Judged pixels that a column's share needs: as many as an obstacle (smallest_px)
+constexpr int kFewestPixels = 8;
+/// Confidence of what looks like nothing before: for and against (ours)
+constexpr double kUnexplained = 0.5;
+/// Share of what was judged, of things that nothing before looks like (ours; see motion_table)
+constexpr double kMostlyCame = 0.85;
+constexpr double kWide = 1.5;  ///< times the narrowest: a torso where that is a leg (ours)
+/// Columns to either side that are judged together, as column_scan.cpp pools
+constexpr int kPool = 2;
+/// Pixels this near to the column's obstacle are it: a person's depth (ours) ...
+constexpr double kSameThing_m = 0.3;
+/// ... or by this share of its distance; one px of disparity 3 m away
+constexpr double kSameThing = 0.12;
 
 bool belongs(const SpacePoint& p, const Column& column) {
   const double range_m = std::hypot(p.x_m, p.y_m);

@@ -7,17 +7,24 @@ namespace striate {
 /// Things that move apart from the robot's own motion.
 struct MotionSettings {
   bool on = false;
-  double gap_s = 0.5;          ///< between the two pictures that are compared
-  double trusted = 0.3;        ///< disparities of less confidence are not used
-  double lowest_m = 0.1;       ///< of what is judged, above the floor
-  double highest_m = 2.0;      ///< and below this
-  double tolerance_px = 0.35;  ///< disparities that differ by less are the same place ...
-  double tolerance = 0.03;     ///< ... or by less than this share
-  int slack_px = 2;            ///< so far from its predicted place a pixel may be found again
-  double slowest_m_s = 0.2;    ///< what seems to move more slowly stands
-  double fastest_m_s = 2.5;    ///< velocities are searched up to this
-  int narrowest_px = 6;        ///< columns that a moving thing must have
-  double least_share = 0.5;    ///< of a column's obstacle that must have been free before
+  /// Between the two pictures that are compared; chosen on corridor_a (motion_table)
+  double gap_s = 0.5;
+  /// Disparities of less confidence are not used; as the obstacles' (ObstacleSettings)
+  double trusted = 0.3;
+  /// Of what is judged, above the floor: one px of disparity is worth it in height 2 m away
+  double lowest_m = 0.1;
+  double highest_m = 2.0;  ///< and below this: people
+  /// Disparities that differ by less are the same place ...; 0.8 found less (motion_table)
+  double tolerance_px = 0.35;
+  double tolerance = 0.03;  ///< ... or by less than this share; chosen on corridor_a (motion_table)
+  /// So far from its predicted place a pixel may be found again: odometry errs (ours)
+  int slack_px = 2;
+  /// What seems to move more slowly stands: 0.1 m in gap_s, one px of disparity at 1.6 m
+  double slowest_m_s = 0.2;
+  double fastest_m_s = 2.5;  ///< velocities are searched up to this: a person's fast walk
+  /// Columns that a moving thing must have: a leg at 3.5 m (0.1 m x 203 px / 3.5 m)
+  int narrowest_px = 6;
+  double least_share = 0.5;  ///< of a column's obstacle that must have been free before: most of it
 };
 
 template <class V>

@@ -6,11 +6,15 @@
 namespace striate {
 namespace {
 
-constexpr std::size_t kFewestPixels = 20;
-constexpr std::size_t kMostPixels = 120;  ///< more are thinned out
-constexpr double kClear = 0.8;            ///< best difference over the median of all
-constexpr double kTrusted = 0.3;
-constexpr double kNearRange = 0.15;  ///< a disparity may differ from the best velocity's by this
+constexpr std::size_t kFewestPixels = 20;  ///< pixels of a thing; fewer fit any velocity (ours)
+/// More are thinned out: each costs all velocities, 5 ms a thing in all (README)
+constexpr std::size_t kMostPixels = 120;
+/// Best difference over the median of all; above, no velocity stands out (ours)
+constexpr double kClear = 0.8;
+constexpr double kTrusted = 0.3;  ///< confidence; as MotionSettings::trusted
+/// Share: a disparity may differ from the best velocity's by this; one px at 3.7 m
+constexpr double kNearRange = 0.15;
+/// m/s; 0.2 m in half a second, one px of disparity at 2.2 m
 constexpr double kForwardStep_m_s = 0.4;
 
 /// Every so-many-th pixel.

@@ -6,15 +6,25 @@
 namespace striate {
 namespace {
 
+/// Level disparity; about the error of a trusted one, which kWindow bins take up
 constexpr double kBin_px = 0.25;
-constexpr int kBins = 384;  // level disparities up to 96 px: 0.25 m with the shipped camera
-constexpr int kPool = 2;    // columns to either side that lend support
-constexpr double kPoolFilled = 0.6;
-constexpr int kWindow = 3;  // bins to either side that count as the same distance
+/// Level disparities up to 96 px: 0.25 m with the shipped camera at width 160
+constexpr int kBins = 384;
+/// Columns to either side that lend support: 5 are 2.5 cm wide at 1 m (Z / f each), 0.1 m at 4 m
+constexpr int kPool = 2;
+constexpr double kPoolFilled = 0.6;  // share of the pooled columns that must show it: three of five
+/// Bins to either side that count as the same distance: 0.75 px, a disparity right within 1 px
+constexpr int kWindow = 3;
 // Level disparity of a plane changes by baseline / lateral distance per column: 0.25 px is a wall
 // half a metre beside the camera.
+/// px a column, baseline / lateral distance: a wall half a metre beside the camera (0.12 / 0.5)
 constexpr double kSteepestPlane = 0.25;
-constexpr double kPlaneSlack_px = 0.5;
+constexpr double kPlaneSlack_px = 0.5;  // two ends that each err by a bin of 0.25 px
+
+/// Level disparity, px: what is farther than a plane by more is seen through it
+constexpr double kBehind_px = 1.0;
+/// Support of a bridge, of the weaker of its ends (ours)
+constexpr double kBridgeSupport = 0.5;
 
 float ramp(double value, double from, double to) {
   return static_cast<float>(std::clamp((value - from) / (to - from), 0.0, 1.0));
@@ -173,11 +183,12 @@ void bridge_unknown_columns(std::vector<Standing>& standing, const JudgedMap& ju
         int farther = 0;
         for (int v = 0; v < judged.kind.rows; ++v) {
           farther += static_cast<PixelKind>(judged.kind(v, u)) == PixelKind::standing &&
-                     judged.level(v, u) < level - 1.0;
+                     judged.level(v, u) < level - kBehind_px;
         }
         if (farther > settings.smallest_px) continue;
         standing[u] = {level, a.row_px + t * (b.row_px - a.row_px),
-                       0.5 * std::min(a.support, b.support), std::min(a.top_row, b.top_row), true};
+                       kBridgeSupport * std::min(a.support, b.support),
+                       std::min(a.top_row, b.top_row), true};
       }
     }
     left = right;

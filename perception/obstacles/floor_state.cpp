@@ -6,7 +6,7 @@
 namespace striate {
 namespace {
 
-constexpr double kOccupied_m = 0.1;
+constexpr double kOccupied_m = 0.1;  // depth assumed of an obstacle whose back is not seen (ours)
 
 }  // namespace
 

@@ -6,9 +6,12 @@
 namespace striate {
 namespace {
 
-constexpr int kPool = 2;             // columns to either side that are looked at together
-constexpr double kFloorSeen = 0.25;  // least mean weight of a row that counts as seen
-constexpr int kBlockedRows = 2;      // so many rows of something standing end the floor
+/// Columns to either side that are looked at together, as in column_scan.cpp
+constexpr int kPool = 2;
+/// Least mean weight of a row: a quarter of it surely floor, or half with a promise of 0.5
+constexpr double kFloorSeen = 0.25;
+/// Rows of something standing that end the floor: a single one may be a wrong match
+constexpr int kBlockedRows = 2;
 
 struct RowEvidence {
   double floor = 0.0;
@@ -103,9 +106,12 @@ std::vector<FreeFloor> find_free_floor(const JudgedMap& judged, const ViewGeomet
 double calibrate_floor(const DisparityMap& map, const ViewGeometry& geometry,
                        const ObstacleSettings& settings) {
   if (settings.floor_offset_px <= 0.0) return 0.0;
-  constexpr double kNear_px = 0.75;       // pixels within this of the line are taken for floor
-  constexpr std::size_t kFewest = 300;    // fewer say nothing about the line
-  constexpr double kLeastFloor_px = 2.0;  // nearer to the horizon walls touch the line
+  // px: pixels within this of the line are taken for floor; above floor_offset_px and noise
+  constexpr double kNear_px = 0.75;
+  // Pixels; the median of 300 that err by 1 px is known to 1.25 / sqrt(300) = 0.07 px
+  constexpr std::size_t kFewest = 300;
+  // px of disparity: nearer to the horizon (12 m) walls touch the line
+  constexpr double kLeastFloor_px = 2.0;
   std::vector<float> residuals;
   for (int v = 0; v < map.disparity_px.rows; ++v) {
     const double floor_px = geometry.floor_disparity_px(v);

@@ -6,11 +6,18 @@
 namespace striate {
 namespace {
 
-constexpr int kWidestHole = 2;        // columns without a hit inside one blob
-constexpr double kStep_px = 0.8;      // level disparity may change so much from column to column,
-constexpr double kStepShare = 0.06;   // or by this share of itself
-constexpr double kDepthShare = 0.25;  // and by this much over the whole blob
-constexpr int kFewestColumns = 2;
+/// Columns without a hit inside one blob; the pool of find_standing() is as wide
+constexpr int kWidestHole = 2;
+/// Level disparity may change so much from column to column: kWindow of column_scan.cpp
+constexpr double kStep_px = 0.8;
+/// Or by this share of itself, 6 cm at 1 m: a box's side seen at a slant (ours)
+constexpr double kStepShare = 0.06;
+/// And by this much over the whole blob: what is deeper is two things or a wall (ours)
+constexpr double kDepthShare = 0.25;
+constexpr int kFewestColumns = 2;  // columns; a single one has but the support of its neighbours
+
+/// Depth over a blob, px of level disparity: two steps
+constexpr double kDepth_px = 2.0 * kStep_px;
 
 double length(Point2 p) {
   return std::hypot(p.x_m, p.y_m);
@@ -61,7 +68,7 @@ std::vector<Obstacle> join_columns(const std::vector<ColumnHit>& hits) {
     const bool joins = first >= 0 && u - last <= kWidestHole + 1 &&
                        near_enough(hits[last], hits[u]) &&
                        std::abs(hits[u].level_px - hits[first].level_px) <=
-                           std::max(2.0 * kStep_px, kDepthShare * hits[first].level_px);
+                           std::max(kDepth_px, kDepthShare * hits[first].level_px);
     if (!joins) {
       close_blob();
       first = u;

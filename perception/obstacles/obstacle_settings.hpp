@@ -6,20 +6,32 @@ namespace striate {
 
 /// How obstacles are told from the floor.
 struct ObstacleSettings {
-  double lowest_m = 0.06;           ///< what is lower is driven over or is the floor itself
-  double highest_m = 1.4;           ///< what hangs higher is no obstacle: lamps, ceiling
-  double farthest_m = 10.0;         ///< farther things are left unknown
-  double farthest_floor_m = 8.0;    ///< the floor is not judged beyond
-  double trusted = 0.3;             ///< disparities of less confidence are not used
-  double floor_margin_px = 0.6;     ///< disparity above the floor line that is still the floor
-  double standing_px = 1.6;         ///< disparity above the floor line that surely stands up
-  double smallest_m = 0.06;         ///< visible height that an obstacle must show
-  double smallest_px = 8.0;         ///< and in pixels, at any distance
-  double floor_offset_px = 0.4;     ///< largest correction of the floor line; 0: none
-  double floor_gap_m = 0.4;         ///< unknown floor up to this length is bridged
-  int bridged_columns = 30;         ///< unknown columns between parts of one plane that are bridged
-  double paper_threshold_px = 8.0;  ///< paper setting: disparities above are obstacles
-  int paper_smallest_px = 40;       ///< paper setting: smaller blobs are noise
+  /// What is lower counts as floor: one px of disparity is worth so much height 1.2 m away
+  double lowest_m = 0.06;
+  /// What hangs higher is no obstacle: 0.2 m above the camera, the robot's top
+  double highest_m = 1.4;
+  double farthest_m = 10.0;  ///< farther things are left unknown: one px of disparity is 4 m there
+  /// The floor is not judged beyond: one px of disparity is 2.6 m there
+  double farthest_floor_m = 8.0;
+  /// Least confidence of a disparity: lets all promises (0.5 and more) in; of scores of 0.3 69 %
+  /// are right (confidence_fit)
+  double trusted = 0.3;
+  /// Disparity above the floor line that is still the floor; by true depth (obstacle_table)
+  double floor_margin_px = 0.6;
+  /// Disparity above the floor line that surely stands up; by true depth (obstacle_table)
+  double standing_px = 1.6;
+  double smallest_m = 0.06;  ///< visible height that an obstacle must show: all of the lowest one
+  double smallest_px = 8.0;  ///< and in pixels, at any distance; by true depth (obstacle_table)
+  /// Largest correction of the floor line, 0: none; rectification errs by 0.15 px
+  double floor_offset_px = 0.4;
+  /// Unknown floor up to this length is bridged: less than the robot is long (0.5 m)
+  double floor_gap_m = 0.4;
+  /// Unknown columns between parts of one plane that are bridged: 8 deg at width 160 (ours)
+  int bridged_columns = 30;
+  /// Paper setting: disparities above are obstacles; 3 m away. The paper gives no figure
+  double paper_threshold_px = 8.0;
+  /// Paper setting: smaller blobs are noise. The paper gives no figure
+  int paper_smallest_px = 40;
 };
 
 template <class V>

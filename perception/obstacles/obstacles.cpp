@@ -12,20 +12,28 @@
 namespace striate {
 namespace {
 
-constexpr double kBridgedCounts = 0.5;      // a bridged column is believed half as much
-constexpr double kBearingDistance_m = 4.0;  // where an empty column's bearing is taken
-constexpr double kClearance_m = 0.05;       // free floor ends before the obstacle
+/// Share: a bridged column is inferred, not seen, so it is sure of nothing (below 0.5)
+constexpr double kBridgedCounts = 0.5;
+/// Where an empty column's bearing is taken: the middle of the 8 m of floor judged
+constexpr double kBearingDistance_m = 4.0;
+/// Free floor ends before the obstacle: one px of disparity at 1.1 m (Z^2 / f B)
+constexpr double kClearance_m = 0.05;
+
+/// Level disparity, px: right matches of one surface err by less ("right within 1 px")
+constexpr double kSameSurface_px = 1.0;
+/// Trust in a column none of whose own pixels show the surface: neither for nor against
+constexpr double kUndecided = 0.5;
 
 double mean_trust(const JudgedMap& judged, const Standing& standing, int u) {
   double sum = 0.0;
   int count = 0;
   for (int v = standing.top_row; v < judged.kind.rows; ++v) {
     if (static_cast<PixelKind>(judged.kind(v, u)) != PixelKind::standing) continue;
-    if (std::abs(judged.level(v, u) - standing.level_px) > 1.0) continue;
+    if (std::abs(judged.level(v, u) - standing.level_px) > kSameSurface_px) continue;
     sum += judged.weight(v, u);
     ++count;
   }
-  return count > 0 ? sum / count : 0.5;
+  return count > 0 ? sum / count : kUndecided;
 }
 
 /// Just enough support gives 0.5, three times as much nearly all that the disparities deserve.

@@ -9,8 +9,9 @@
 namespace striate {
 namespace {
 
-constexpr double kFloorMargin_px = 1.0;   // the threshold stays this much above the floor line
-constexpr double kPaperConfidence = 0.5;  // the paper knows no confidence
+/// The threshold stays so much above the floor line: whole-pixel disparities err by as much
+constexpr double kFloorMargin_px = 1.0;
+constexpr double kPaperConfidence = 0.5;  ///< the paper knows no confidence: undecided
 
 cv::Mat1b threshold_map(const DisparityMap& map, const ViewGeometry& geometry,
                         const ObstacleSettings& settings) {
@@ -26,9 +27,13 @@ cv::Mat1b threshold_map(const DisparityMap& map, const ViewGeometry& geometry,
   return binary;
 }
 
+/// A fifth: the part of a blob or column that counts as its nearest (ours)
+constexpr std::size_t kFifth = 5;
+
 /// What a fifth of the pixels is nearer than: the nearest part counts, a few wrong pixels do not.
 double near_level(std::vector<float>& values) {
-  const auto near = values.begin() + static_cast<std::ptrdiff_t>(values.size() * 4 / 5);
+  const auto near =
+      values.begin() + static_cast<std::ptrdiff_t>(values.size() * (kFifth - 1) / kFifth);
   std::nth_element(values.begin(), near, values.end());
   return *near;
 }

@@ -36,6 +36,7 @@ SpacePoint ViewGeometry::point(double u_px, double v_px, double d_px) const {
 }
 
 std::optional<ImagePoint> ViewGeometry::project(const SpacePoint& point) const {
+  // Depth before the camera; nearer, the projection grows without bound (4000 px a metre)
   constexpr double kNearest_m = 0.05;
   const double x = point.x_m - camera_forward_m_;
   const double forward_m = x * cos_pan_ + point.y_m * sin_pan_;

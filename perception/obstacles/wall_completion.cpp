@@ -8,19 +8,32 @@
 namespace striate {
 namespace {
 
-constexpr double kLeastConfidence = 0.4;  // of the corridor
-constexpr double kCounts = 0.5;           // confidence of the wall against that of the corridor
+/// Of the corridor; above what makes it valid (0.3), for this puts in what nobody saw
+constexpr double kLeastConfidence = 0.4;
+/// Confidence of the wall against that of the corridor: inferred, so never above 0.5
+constexpr double kCounts = 0.5;
+/// As far as walls are measured, less a cell (wall_profile.cpp, 6.5 m)
 constexpr double kFarthest_m = 6.0;
-constexpr double kBehind = 1.2;       // so much farther is behind the wall
-constexpr double kSeenThrough = 0.3;  // share of a column's pixels that opens the wall
-constexpr double kTrusted = 0.3;
+/// Times the wall's distance; one px of disparity at 5 m is a fifth of it
+constexpr double kBehind = 1.2;
+/// Share of a column's pixels that opens the wall; an open door shows more (ours)
+constexpr double kSeenThrough = 0.3;
+constexpr double kTrusted = 0.3;  // confidence, as ObstacleSettings::trusted
+/// Free floor ends before the wall, as before an obstacle (obstacles.cpp)
 constexpr double kClearance_m = 0.05;
+
+/// Sine, 3 deg: a ray so nearly along the corridor meets no wall within kFarthest_m
+constexpr double kAlong = 0.05;
+/// Above the floor: what one px of disparity is worth in height 2 m away (1.2 m / 12 px)
+constexpr double kLowest_m = 0.1;
+/// Below the ceiling of the shipped corridors (2.7 m), by an error of one px 6 m away
+constexpr double kHighest_m = 2.4;
 
 /// Distance along `bearing_rad` to the wall on that side; +inf for none.
 double wall_range_m(const CorridorView& corridor, double bearing_rad) {
   const double turn = wrap_angle(bearing_rad - corridor.heading_rad);
   const double sine = std::sin(turn);
-  if (std::abs(sine) < 0.05) return kNothing_m;
+  if (std::abs(sine) < kAlong) return kNothing_m;
   const double side_m = sine > 0.0 ? corridor.left_m : corridor.right_m;
   return side_m / std::abs(sine);
 }
@@ -32,7 +45,7 @@ double share_behind(const DisparityMap& map, const ViewGeometry& geometry, int u
     const float d = map.disparity_px(v, u);
     if (!std::isfinite(d) || d <= 0.0F || map.confidence(v, u) < kTrusted) continue;
     const double height = geometry.height_m(v, d);
-    if (height < 0.1 || height > 2.4) continue;
+    if (height < kLowest_m || height > kHighest_m) continue;
     const SpacePoint p = geometry.point(u, v, d);
     behind += std::hypot(p.x_m, p.y_m) > kBehind * range_m;
   }

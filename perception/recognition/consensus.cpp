@@ -24,7 +24,7 @@ struct Turn {
 bool alike(const Turn& a, const Turn& b) {
   const double dot = a.u * b.u + a.v * b.v;
   const double aa = a.u * a.u + a.v * a.v, bb = b.u * b.u + b.v * b.v;
-  constexpr double kCosineSquared = 0.6545;
+  constexpr double kCosineSquared = 0.6545;  // cos^2 of 36 degrees
   return dot > 0.0 && dot * dot > kCosineSquared * aa * bb && aa < 4.0 * bb && bb < 4.0 * aa;
 }
 
@@ -99,6 +99,7 @@ Consensus ConsensusFinder::find(std::span<const PlacePair> pairs, double width_p
   for (const PlacePair& pair : pairs) poses_.push_back(pose_of_pair(pair));
   Pose pose = poses_[propose(pairs, settings_.vote_tolerance * side_px)];
   gather(pairs, pose, settings_.vote_tolerance * side_px);
+  // Of fit and gathering; members no longer change much after a few (ours)
   constexpr int kRounds = 5;
   for (int round = 0; round < kRounds; ++round) {
     if (agreeing_.size() < 3) return {};

@@ -7,14 +7,20 @@ namespace striate {
 /// How landmarks are looked for in the cycle. The budget counts views and windows, not time, so
 /// that the same pictures give the same recognitions on any machine.
 struct LandmarkFinderSettings {
-  int every = 2;              ///< pictures; in between nothing is looked for
-  int most_windows = 5;       ///< parts of a picture that are looked at
-  double margin = 0.25;       ///< of a salient region's side, added on each side
-  int most_views = 400;       ///< that a picture is compared with, the most active first
-  double most_time_s = 0.0;   ///< of comparing; 0: no limit
-  double farthest_m = 2.5;    ///< beyond it a landmark is not expected to be recognised
-  double least_light = 0.12;  ///< mean grey below which nothing is expected to be recognised
-  double hidden_by_m = 0.5;   ///< what is nearer by so much hides
+  /// Pictures; in between nothing is looked for. At 10 Hz five looks a second (ours)
+  int every = 2;
+  /// Parts of a picture that are looked at; each costs time (tests/benchmarks)
+  int most_windows = 5;
+  /// Of a salient region's side, added on each side: regions are cut within their things (ours)
+  double margin = 0.25;
+  /// That a picture is compared with, the most active first; bounds the time (ours)
+  int most_views = 400;
+  double most_time_s = 0.0;  ///< of comparing; 0: no limit
+  /// Beyond it a landmark is not expected to be recognised; farthest in `trial --objects`
+  double farthest_m = 2.5;
+  double least_light = 0.12;  ///< mean grey below which nothing is expected to be recognised (ours)
+  /// What is nearer by so much hides; twice the depth error of one px 2.5 m away
+  double hidden_by_m = 0.5;
   /// The head does not roll and things stand, so a view is not turned much; and what has but a
   /// label in common with a view is another thing.
   RecognitionSettings matching{.least_share = 0.12, .most_turn_rad = 0.785};

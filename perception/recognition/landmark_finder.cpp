@@ -8,6 +8,10 @@
 namespace striate {
 namespace {
 
+/// Of the smaller of two boxes: with more in common they show one thing; "a part of the picture
+/// shows one thing" was chosen on `trial --objects` (ours).
+constexpr double kSamePart = 0.5;
+
 /// Where an expected landmark appears, in pixels of the working size; empty: nowhere.
 cv::Rect2d box_of(const LandmarkExpectation& expected, const ViewGeometry& geometry) {
   const std::optional<ImagePoint> middle = geometry.project(expected.place);
@@ -123,7 +127,7 @@ void LandmarkFinder::keep_one_a_place(const std::vector<Recognition>& found,
   for (const Recognition& one : found) {  // most inliers first
     const bool taken = std::ranges::any_of(kept, [&](const Recognition& stronger) {
       const cv::Rect2d a = box_of(one), b = box_of(stronger);
-      return (a & b).area() > 0.5 * std::min(a.area(), b.area());
+      return (a & b).area() > kSamePart * std::min(a.area(), b.area());
     });
     if (!taken) kept.push_back(one);
   }

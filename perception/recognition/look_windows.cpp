@@ -8,7 +8,9 @@ namespace striate {
 namespace {
 
 /// Of the picture's sides.
+/// Of the picture's sides, about a factor 1.5 apart (ours)
 constexpr std::array<double, LookWindows::kSizes> kShares = {0.2, 0.3, 0.45, 0.7, 1.0};
+/// Of a box that a window has: then looking again would cost more than it finds (ours)
 constexpr double kMostlyCovered = 0.8;
 
 int side_px(int picture_px, int size) {

@@ -15,6 +15,7 @@ struct LookWindow {
 /// each: what works on them finds buffers of the right size and need not allocate.
 class LookWindows {
  public:
+  /// About a factor 1.5 apart, from a fifth of the picture to all of it (kShares)
   static constexpr int kSizes = 5;
 
   void begin(cv::Size picture, int most);

@@ -77,8 +77,9 @@ Pose fit_affine(std::span<const PlacePair> pairs) {
   const Moments m(pairs);
   const double determinant = m.uu * m.vv - m.uv * m.uv;
   const double spread = m.uu + m.vv;
-  // Points in a narrow strip say nothing about what is across it.
-  if (!(determinant > 0.01 * spread * spread)) return similarity(m);
+  // Points in a narrow strip say nothing about what is across it: ten times as long as wide (ours).
+  constexpr double kNarrow = 0.01;  // of the squared spread: (1 / 10)^2
+  if (!(determinant > kNarrow * spread * spread)) return similarity(m);
   Pose pose;
   pose.a = (m.u_up * m.vv - m.v_up * m.uv) / determinant;
   pose.b = (m.v_up * m.uu - m.u_up * m.uv) / determinant;

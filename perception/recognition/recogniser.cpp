@@ -164,6 +164,7 @@ bool Recogniser::find_pose(const View& view, std::span<const Keypoint> keypoints
 
 /// From afar only the coarse keypoints of a view can be seen: of them, the share that agrees.
 double Recogniser::share_of_visible(const View& view, const Consensus& consensus) const {
+  // Of the finest keypoint's size: scales are sqrt(2) apart, so half a step is 0.84 (ours)
   constexpr double kAboutAsLarge = 0.9;
   const double least_px = kAboutAsLarge * finest_px_ / consensus.pose.scale();
   const auto visible =

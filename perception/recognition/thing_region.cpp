@@ -7,11 +7,15 @@
 namespace striate {
 namespace {
 
-constexpr double kAimed_rad = 0.2;  ///< a region farther from the line of sight is another thing
+/// 11 deg: a region farther from the line of sight is another thing; the servos err by less
+constexpr double kAimed_rad = 0.2;
+/// One px of disparity is 0.37 m there: beyond, a thing is not cut from its background
 constexpr double kFarthest_m = 3.0;
-constexpr double kDeep_m = 0.12;  ///< how far a thing reaches before and behind its middle
-constexpr double kGrown = 0.15;   ///< a region may be a little smaller than its thing
-constexpr int kLeastPixels = 20;
+/// How far a thing reaches before and behind its middle: boxes, cups, books (ours)
+constexpr double kDeep_m = 0.12;
+/// Of its side: a region, cut at half its salience, may be a little smaller than its thing
+constexpr double kGrown = 0.15;
+constexpr int kLeastPixels = 20;  // at width 160: a thing of 5 cm at 2 m is 5 x 5 px
 
 /// Nearest in direction; nullptr where there is none.
 const SalientRegion* region_at(const Percept& percept, double bearing_rad) {

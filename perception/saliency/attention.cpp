@@ -8,6 +8,7 @@
 namespace striate {
 
 void Attention::look(const std::vector<SalientRegion>& regions, const ViewShift& shift) {
+  // Share of inhibition, after 4.6 times recovery_s: less changes no order that can be seen
   constexpr double kRecovered = 0.01;
   const double decay = std::exp(-std::max(0.0, shift.seconds) / settings_.recovery_s);
   for (Visited& place : visited_) {

@@ -55,7 +55,9 @@ void PictureChange::add(const cv::Mat1f& grey, cv::Mat1f& sum) {
   change_.copyTo(sorted_);
   float* middle = sorted_[0] + sorted_.total() / 2;
   std::nth_element(sorted_[0], middle, sorted_[0] + sorted_.total());
-  const float noise = 2.0F * *middle;
+  // Of |a normal| less than 18 % is above twice its median: most of what does not move is gone.
+  constexpr float kNoise = 2.0F;
+  const float noise = kNoise * *middle;
   for (int v = 0; v < grey.rows; ++v) {
     for (int u = 0; u < grey.cols; ++u) sum(v, u) += std::max(0.0F, change_(v, u) - noise);
   }

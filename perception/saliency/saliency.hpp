@@ -14,18 +14,25 @@ enum class SaliencySetting { paper, robust };
 
 struct SaliencySettings {
   SaliencySetting setting = SaliencySetting::robust;
-  double colour = 1.0;  ///< weights of the robust channels; 0 switches one off
-  double texture = 1.0;
-  double shape = 1.0;
-  double near = 1.0;
-  double motion = 0.0;          ///< needs the picture before: off unless asked for
-  double centre = 0.0;          ///< 0..1: how much a Gaussian about the picture's middle counts
-  double smooth_px = 4.0;       ///< robust: the sum is blurred by this, at width 160
-  double near_px = 6.0;         ///< disparities above count as near
-  double near_gain = 1.5;       ///< weight of one px of disparity against one unit of CIE L*
-  double least_contrast = 6.0;  ///< a picture whose strongest response is below stays dim
-  double threshold = 0.5;       ///< of the salience that regions are cut at
-  int smallest_px = 12;         ///< smaller regions are left out
+  /// Weights of the robust channels; 0 switches one off. All 1 and not tuned (tests/evaluation)
+  double colour = 1.0;
+  double texture = 1.0;  ///< as colour: 1, not tuned
+  double shape = 1.0;    ///< as colour: 1, not tuned
+  double near = 1.0;     ///< as colour: 1, not tuned
+  double motion = 0.0;   ///< needs the picture before: off unless asked for
+  double centre = 0.0;   ///< 0..1: how much a Gaussian about the picture's middle counts
+  /// Robust: the sum is blurred by this, at width 160: a cell of the channels (ours)
+  double smooth_px = 4.0;
+  /// Disparities above count as near: 4 m away at width 160. The paper gives no figure
+  double near_px = 6.0;
+  /// Weight of one px of disparity against one unit of CIE L*; the paper gives none (ours)
+  double near_gain = 1.5;
+  /// A picture whose strongest response is below stays dim: a blank wall's noise (ours)
+  double least_contrast = 6.0;
+  /// Of the salience that regions are cut at; the paper gives no figure (ours)
+  double threshold = 0.5;
+  int smallest_px = 12;  ///< smaller regions are left out: 4 x 3 px, 4 cm at 2 m (ours)
+  /// Regions handed on; looking at more in one picture would cost more than the cycle has (ours)
   int most_regions = 12;
 };
 

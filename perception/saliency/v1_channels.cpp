@@ -11,6 +11,7 @@
 namespace striate {
 namespace {
 
+/// Px of the working size; four times cheaper than half, at no loss of AUC (tests/evaluation)
 constexpr int kBlock = 4;
 
 /// Mirrored with the border pixel repeated, as cv::BORDER_REFLECT.

@@ -10,6 +10,7 @@ namespace {
 /// The logistic function in steps of 1/1000, over scores in 1/64: rounded, so that it does not
 /// depend on the last bit of the machine's mathematics library.
 constexpr int kScoreUnit = 64;
+/// Beyond 8 the logistic rounds to 0 or 1 at a thousandth (exp(-8) = 0.0003)
 constexpr int kScoreLimit = 8 * kScoreUnit;
 
 using ScoreTable = std::array<float, 2 * kScoreLimit + 1>;
@@ -24,9 +25,10 @@ ScoreTable make_logistic() {
   return table;
 }
 
-const ScoreTable kLogistic = make_logistic();
+const ScoreTable kLogistic = make_logistic();  // of scores from -8 to 8
 
 /// A winner that is hardly better than another disparity says nothing (sums of 8 paths).
+/// Sums of 8 paths, one bit each: a winner hardly better than another disparity says nothing
 constexpr int kLeastMargin = 8;
 /// Responses of the strongest cell below 2^4 (its energy below 2^8), about a quarter of a grey
 /// level, are no texture but the rounding of the picture.
@@ -34,7 +36,8 @@ constexpr int kLeastTexture = 8 * 2048;
 /// Where a good match is as good elsewhere, the pixel itself does not tell the two apart: stripes,
 /// a wall's even shading. What its neighbours say of it is not certain, however smooth. (Bad
 /// matches are so in noise, where neighbours can be trusted: the regression knows them.)
-constexpr int kGoodCost = 24;
+constexpr int kGoodCost = 24;  // of 256 bits: below a tenth differ (ours)
+/// A score just under one half: rather wrong than right to the regression (ours)
 constexpr float kMostIfAmbiguous = 0.45F;
 
 /// What scores of 0, 0.1, ... 1 have kept: measured by `confidence_fit` (tests/evaluation) on made
@@ -48,7 +51,8 @@ ScoreTable make_promises() {
   std::ranges::transform(kLogistic, table.begin(), promise_of);
   return table;
 }
-const ScoreTable kPromise = make_promises();
+const ScoreTable kPromise = make_promises();  // of all that kLogistic may say
+/// What kMostIfAmbiguous promises
 const float kMostPromiseIfAmbiguous = promise_of(kMostIfAmbiguous);
 
 }  // namespace

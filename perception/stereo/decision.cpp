@@ -7,6 +7,7 @@
 namespace striate {
 namespace {
 
+/// Rows that the winner kernels write, in their order
 constexpr int kBest = 0, kSmallest = 1, kSecond = 2, kRawSecond = 3, kRightBest = 4;
 
 }  // namespace

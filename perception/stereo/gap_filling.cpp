@@ -8,6 +8,7 @@ namespace striate {
 namespace {
 
 /// Ends that differ by more are not of one surface.
+/// Ends that differ by more are not of one surface: two steps that P1 pays for (ours)
 constexpr float kSameSurface_px = 2.0F;
 
 struct End {

@@ -18,14 +18,14 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 // What is summed up at a time, blocks x disparities, fits into the registers: 32 or 16 of them.
 #if HWY_TARGET == HWY_SCALAR
-constexpr int kBlocks = 1;
-constexpr int kDepth = 1;
+constexpr int kBlocks = 1;  // scalar: nothing to gain from blocks
+constexpr int kDepth = 1;   // scalar: one shift after the other
 #elif HWY_TARGET <= HWY_AVX3
-constexpr int kBlocks = 3;
-constexpr int kDepth = 8;
+constexpr int kBlocks = 3;  // with 8 shifts 24 sums: 32 registers hold them and the rows
+constexpr int kDepth = 8;   // shifts; with 3 blocks 24 sums
 #else
-constexpr int kBlocks = 2;
-constexpr int kDepth = 4;
+constexpr int kBlocks = 2;  // with 4 shifts 8 sums: 16 registers hold them and the rows
+constexpr int kDepth = 4;   // shifts; with 2 blocks 8 sums
 #endif
 
 /// kCount blocks of left pixels against kDepth shifts of the right row. One load of the right row

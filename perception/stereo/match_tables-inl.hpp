@@ -30,11 +30,11 @@ HWY_BEFORE_NAMESPACE();
 namespace striate::stereo_kernels::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-constexpr int kNibbles = 2 * kDescriptorPoints;
+constexpr int kNibbles = 2 * kDescriptorPoints;  ///< half bytes a descriptor of 32 bytes
 /// Vectors from one block of pixels to the next: one more, so that they do not lie 2 KiB apart,
 /// where they would share the cache's banks.
 constexpr int kBlockVectors = kNibbles + 1;
-constexpr int kPixelsAtOnce = 2;
+constexpr int kPixelsAtOnce = 2;  ///< left pixels: times kVectorsAtOnce, 12 sums
 /// Vectors of right pixels at a time: with two left pixels 12 sums, which fit into 16 registers.
 constexpr int kVectorsAtOnce = 6;
 

@@ -63,6 +63,7 @@ HWY_EXPORT(CodeDistances);
 HWY_EXPORT(SumOverPoints);
 
 namespace {
+/// Rows of distances that the points of a descriptor reach
 constexpr int kLines = 2 * kPhaseReach + 1;
 int in_ring(int y) {
   return (y + kLines) % kLines;

@@ -18,6 +18,7 @@ stereo_kernels::PathLine SemiGlobal::strip_line(std::size_t side) {
 
 /// Paths start anew in the first line and beside it: zero.
 void SemiGlobal::start_paths() {
+  // Elements that paths beside the first and last column need
   constexpr int kMargin = Volume<std::uint8_t>::kMargin;
   const int width = costs_->width(), disparities = costs_->disparities;
   const auto bytes = static_cast<std::size_t>(width) + 2;

@@ -7,8 +7,11 @@
 namespace striate {
 namespace {
 
+/// px of disparity between neighbours of one surface: what P1 of the smoothing pays for.
+constexpr float kStep_px = 1.0F;
+
 bool together(float a, float b) {
-  return std::abs(a - b) <= 1.0F;  // unknown and known: infinite; unknown both: not a number
+  return std::abs(a - b) <= kStep_px;  // unknown and known: infinite; unknown both: not a number
 }
 
 }  // namespace

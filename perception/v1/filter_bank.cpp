@@ -117,7 +117,9 @@ constexpr int kRowScaleBits = FilterBank::kRowShift - FilterBank::kGreyShift;
 
 /// Row taps use the whole 16 bits of the row's result for inputs -128..127.
 double row_scale(const RealProduct& p) {
+  // Times 2048 (128 levels in sixteenths), shifted by 12: 32500, which 16 bits hold
   constexpr double kLargestSum = 65000.0;
+  // Just below 2^15, the largest of 16 bits, so that rounding may add one
   constexpr double kLargestTap = 32000.0;
   return std::min(kLargestSum / p.row.cwiseAbs().sum(), kLargestTap / p.row.cwiseAbs().maxCoeff());
 }

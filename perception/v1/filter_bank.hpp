@@ -22,9 +22,12 @@ namespace striate {
 ///   response = (slot0 +- slot1 + offset - box_factor * box + 2^15) >> kColumnShift        (16 bit)
 /// The response is `gain` times the exact one (grey 0..255, kernel as in V1Settings).
 struct FilterBank {
+  /// Products a kernel: 1.7 % of descriptor bits differ from double precision (at most 2 % tested)
   static constexpr int kRank = 3;
   static constexpr int kGreyShift = 4;  ///< greys come in sixteenths
+  /// Row taps have 8 bits of fraction, greys four
   static constexpr int kRowShift = 8 + kGreyShift;
+  /// Bits of fraction in a column's sums: their upper half is the response
   static constexpr int kColumnShift = 16;
 
   /// One row filter and the two column filters on its output.

@@ -17,6 +17,7 @@ class Plane {
  public:
   /// Contents are undefined after a change of shape.
   void resize(int width, int height, int margin, int margin_rows) {
+    /// Elements in a line of the cache, 64 bytes
     constexpr int kLine = static_cast<int>(64 / sizeof(T));
     // Vector loops run over the end of a row by up to one step: 64 bytes, 128 for wider elements.
     constexpr int kStep = sizeof(T) == 1 ? kLine : 2 * kLine;

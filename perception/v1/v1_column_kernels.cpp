@@ -44,6 +44,7 @@ HWY_INLINE void Finish(V32 even_sum, V32 odd_sum, int x, const Responses& to) {
 
 // What is summed up at a time, rows x vectors, even and odd, fits into 32 or 16 registers.
 constexpr int kVectors = 4;
+/// Rows: 2 x 4 vectors, even and odd, are 16 of 32 registers
 constexpr int kRowsInRegisters = HWY_TARGET <= HWY_AVX3 ? 2 : 1;
 /// With few registers GCC 12 moves every sum at the end of a loop's body: half as often so.
 constexpr std::size_t kTapsAtOnce = FEW_REGISTERS ? 2 : 1;

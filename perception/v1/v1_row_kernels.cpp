@@ -61,7 +61,7 @@ void FilterRows(const FoldedRow& row_a, const FoldedRow& row_b, const RowTaps& t
       b0 = MultiplyAddPairs(b0, hn::LoadU(d, b), t);
       b1 = MultiplyAddPairs(b1, hn::LoadU(d, b + step), t);
     }
-    constexpr int kShift = FilterBank::kRowShift;
+    constexpr int kShift = FilterBank::kRowShift;  // what the row pass divides by
     hn::StoreU(JoinHalves(hn::ShiftRight<kShift>(a0), hn::ShiftRight<kShift>(b0)), d, out + x);
     hn::StoreU(JoinHalves(hn::ShiftRight<kShift>(a1), hn::ShiftRight<kShift>(b1)), d,
                out + x + step);

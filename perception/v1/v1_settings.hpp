@@ -22,9 +22,10 @@ enum class EvenMean {
 /// with phi = 0 (even) and -pi/2 (odd), on a square support of side 5 lambda, made odd.
 /// The defaults are the paper's.
 struct V1Settings {
-  double wavelength_px = 4.0;
-  double sigma_factor = 0.56;  ///< sigma = sigma_factor * lambda
-  double gamma = 0.5;          ///< multiplies y'^2 directly: sigma_y = sigma / sqrt(gamma)
+  double wavelength_px = 4.0;  ///< lambda of the paper's stereo
+  /// Sigma = sigma_factor * lambda; V1 model (Rodrigues and du Buf 2006)
+  double sigma_factor = 0.56;
+  double gamma = 0.5;  ///< multiplies y'^2 directly: sigma_y = sigma / sqrt(gamma); same model
   EvenMean even_mean = EvenMean::flat;
 };
 

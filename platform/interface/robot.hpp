@@ -10,9 +10,9 @@ namespace striate {
 /// What is fixed about a body: its shape, its limits, where the camera sits.
 /// Defaults: Pioneer 3-DX with the paper's mast and turret.
 struct RobotDescription {
-  double front_m = 0.21;  ///< from the axle to the front end
-  double rear_m = 0.30;   ///< from the axle to the rear end
-  double half_width_m = 0.2125;
+  double front_m = 0.21;         ///< from the axle to the front end
+  double rear_m = 0.30;          ///< from the axle to the rear end
+  double half_width_m = 0.2125;  ///< half of 425 mm; P3-DX (ARIA's p3dx.p)
   double max_forward_m_s = 0.75;
   double max_turn_rad_s = 1.2;
   double max_acceleration_m_s2 = 0.5;  ///< also the deceleration that a stop may count on

@@ -18,8 +18,11 @@ using boost::system::error_code;
 using Tcp = asio::ip::tcp;
 
 /// A line that has so much waiting takes nothing any more: some 700 ms at 115200 baud.
+/// Bytes: a line that has so much waiting takes nothing any more: some 700 ms at 115200 baud
 constexpr std::size_t kMostWaiting = 8192;
+/// For the last bytes at closing: 57 of them at 9600 baud, a stop and a CLOSE
 constexpr auto kFlush = std::chrono::milliseconds(60);
+/// A host in the same building answers within one lost SYN, sent again after 1 s
 constexpr auto kConnectPatience = std::chrono::seconds(3);
 
 /// What TCP and serial have in common. All of it runs in the thread that calls.

@@ -7,7 +7,9 @@
 namespace striate::pioneer {
 namespace {
 
+/// Of each byte of STALL AND BUMPERS; ARCOS manual, standard SIP
 constexpr std::uint16_t kStallBit = 1U;
+/// Of each byte of STALL AND BUMPERS: seven bumpers; ARCOS manual, standard SIP
 constexpr std::uint16_t kBumperBits = 0xfeU;
 /// Sonar calls 5 m "nothing"; simulators send up to this much and a little less.
 constexpr double kNoEchoMm = 4995.0;
@@ -46,7 +48,7 @@ void BaseTracker::move_on(const arcos::Sip& sip) {
 }
 
 void BaseTracker::take_laser(const std::vector<std::uint16_t>& ranges_mm, TimePoint stamp) {
-  constexpr double kMountForwardM = 0.021;  // an LMS-2xx on a p3dx-sh
+  constexpr double kMountForwardM = 0.021;  // an LMS-2xx on a p3dx-sh (ARIA's p3dx-sh.p)
   state_.laser.stamp = stamp;
   state_.laser.readings.clear();
   const double steps = std::max<double>(1.0, static_cast<double>(ranges_mm.size()) - 1.0);

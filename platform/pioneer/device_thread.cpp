@@ -6,9 +6,10 @@
 namespace striate::pioneer {
 namespace {
 
+/// A device's bytes wait so long at most; at 115200 baud 58 of them
 constexpr Duration kTick = std::chrono::milliseconds(5);
-constexpr double kFirstBackOff_s = 0.2;
-constexpr double kLongestBackOff_s = 4.0;
+constexpr double kFirstBackOff_s = 0.2;    // before the first opening again; doubles each time
+constexpr double kLongestBackOff_s = 4.0;  // so soon after it is plugged in a device is used again
 
 }  // namespace
 

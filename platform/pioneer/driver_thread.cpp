@@ -6,11 +6,14 @@
 namespace striate::pioneer {
 namespace {
 
+/// A packet of the base waits so long at most; one comes every 100 ms
 constexpr Duration kTick = std::chrono::milliseconds(5);
 /// The slowest braking that may be set takes longer; then the motors go off while it rolls.
 constexpr Duration kLongestBraking = std::chrono::milliseconds(2500);
+/// A SIP cycle of 100 ms and the bytes of a stop at 9600 baud
 constexpr Duration kStopHasArrived = std::chrono::milliseconds(150);
-constexpr double kStandsM_s = 0.01;
+constexpr double kStandsM_s = 0.01;  // ten times the resolution of a SIP's wheel speeds, 1 mm/s
+/// Ten times the resolution of a SIP's turning speed, 0.1 deg/s
 constexpr double kStandsRad_s = 0.02;
 
 }  // namespace

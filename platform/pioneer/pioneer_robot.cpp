@@ -8,7 +8,9 @@
 namespace striate::pioneer {
 namespace {
 
+/// A disc speaks every 320 ms; what is older than two turns says nothing
 constexpr Duration kSonarFresh = std::chrono::milliseconds(700);
+/// Between looks while the base is awaited: below a fifth of a SIP cycle
 constexpr Duration kLookAgain = std::chrono::milliseconds(20);
 
 RangeReading from_axle(const Pose2& disc, double range_m) {

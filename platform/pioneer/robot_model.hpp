@@ -24,7 +24,7 @@ struct RobotModel {
 /// "p3dx, p3dx-sh"
 [[nodiscard]] std::string known_models();
 
-inline constexpr std::size_t kSonarDiscs = 16;
+inline constexpr std::size_t kSonarDiscs = 16;  ///< a P3-DX with both arrays has two of eight
 /// Where a disc sits and looks, from the axle; the same for all models. disc < kSonarDiscs.
 [[nodiscard]] const Pose2& sonar_disc(std::size_t disc);
 

@@ -13,14 +13,18 @@ namespace {
 
 /// A program that was not scheduled for this long has left the robot alone: that is a gap.
 constexpr Duration kMissedTicks = std::chrono::milliseconds(300);
+/// Five SIPs: by then the flags of one would show that they are on
 constexpr Duration kAskMotorsAgain = std::chrono::milliseconds(500);
 /// A disc speaks every 320 ms; what is older than two turns says nothing.
 constexpr Duration kSonarFresh = std::chrono::milliseconds(700);
 /// The head's thread speaks every few milliseconds.
 constexpr Duration kHeadSilent = std::chrono::milliseconds(500);
+/// Those that look within 30 deg of straight ahead (robot_model.cpp)
 constexpr std::array<std::size_t, 4> kFrontDiscs{2, 3, 4, 5};
+/// Those that look within 30 deg of straight behind (robot_model.cpp)
 constexpr std::array<std::size_t, 4> kRearDiscs{10, 11, 12, 13};
-constexpr double kCreepsMm_s = 10.0;  ///< slower is standing
+/// Slower is standing: ten times the resolution of a SIP's wheel speeds
+constexpr double kCreepsMm_s = 10.0;
 /// Of the brake that the gate counts on; less where the robot was told less.
 constexpr double kMostBrakeMm_s2 = 300.0;
 

@@ -12,8 +12,11 @@ namespace {
 
 /// The longest packet takes 269 ms at 9600 baud; a count that promises more never comes true.
 constexpr Duration kLongestPacket = std::chrono::milliseconds(280);
+/// As ARIA asks again for a CONFIGpac
 constexpr Duration kConfigAgain = std::chrono::milliseconds(200);
+/// As ARIA waits for a CONFIGpac; then it goes on without
 constexpr Duration kConfigPatience = std::chrono::milliseconds(1000);
+/// Five SIP cycles without one: OPEN was lost
 constexpr Duration kOpenAgain = std::chrono::milliseconds(500);
 
 /// 0 in a CONFIGpac means that the firmware does not say.

@@ -8,9 +8,11 @@ using arcos::command;
 
 namespace {
 
+/// Two SIP cycles and a half: an open connection has spoken by then
 constexpr Duration kListen = std::chrono::milliseconds(250);
+/// One SIP cycle and the bytes on the line: what comes later was not closed
 constexpr Duration kAfterClose = std::chrono::milliseconds(150);
-constexpr int kMostRestarts = 10;
+constexpr int kMostRestarts = 10;  // as ARIA gives up after ten
 
 }  // namespace
 

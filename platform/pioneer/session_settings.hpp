@@ -8,15 +8,16 @@ struct SessionSettings {
   bool force_unknown_model = false;
   bool joystick_may_drive = true;
   bool simulated_laser = true;
-  double sync_wait_s = 1.0;
-  int sync_tries = 5;
-  double lost_after_s = 2.0;
-  double back_off_s = 0.5;
+  double sync_wait_s = 1.0;   ///< as ARIA waits for the answer to a SYNC
+  int sync_tries = 5;         ///< as ARIA gives up after five that stay silent
+  double lost_after_s = 2.0;  ///< twenty SIPs missed; the watchdog has stopped the wheels by then
+  double back_off_s = 0.5;    ///< five SIP cycles; doubles each time
+  /// Four doublings: so soon a robot that is switched on is found
   double longest_back_off_s = 8.0;
-  double most_forward_m_s = 0.75;
-  double most_turn_rad_s = 1.2;
-  double acceleration_m_s2 = 0.5;
-  double turn_acceleration_rad_s2 = 2.0;
+  double most_forward_m_s = 0.75;  ///< TransVelMax in a P3-DX's FLASH, 750 mm/s
+  double most_turn_rad_s = 1.2;  ///< 69 deg/s, below RotVelMax in a P3-DX's FLASH, 100 deg/s (ours)
+  double acceleration_m_s2 = 0.5;  ///< stops from 0.75 m/s within 0.56 m; FLASH has 0.3 (ours)
+  double turn_acceleration_rad_s2 = 2.0;  ///< 115 deg/s2, about RotAcc in a P3-DX's FLASH (100)
 };
 
 template <class V>

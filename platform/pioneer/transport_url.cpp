@@ -11,7 +11,7 @@
 namespace striate::pioneer {
 namespace {
 
-constexpr std::array kBauds{9600, 19200, 38400, 57600, 115200};
+constexpr std::array kBauds{9600, 19200, 38400, 57600, 115200};  // ARCOS manual, HOSTBAUD 0 .. 4
 
 [[noreturn]] void refuse(const std::string& text, const std::string& why) {
   throw UserError(fmt::format(

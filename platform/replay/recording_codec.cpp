@@ -5,6 +5,7 @@
 namespace striate::replay {
 namespace {
 
+/// Twice the widest picture of a stream: what promises more is damaged
 constexpr int kLongestSide_px = 8192;
 enum class Pictures : std::uint8_t { none, written, same };
 
@@ -109,6 +110,7 @@ cv::Mat3b take_picture(ByteReader& reader) {
   const auto height_px = reader.take<std::int32_t>();
   const auto png = reader.take_block();
   if (width_px == 0 && height_px == 0 && png.empty()) return {};
+  // Where a PNG's width stands: 8 bytes of signature, 8 of the IHDR chunk's head
   constexpr std::size_t kSizeAt = 16;
   if (width_px < 1 || height_px < 1 || width_px > kLongestSide_px || height_px > kLongestSide_px ||
       png.size() < kSizeAt + 8 || big_endian(png.subspan(kSizeAt)) != width_px ||

@@ -14,10 +14,13 @@ namespace striate::replay {
 
 static_assert(std::endian::native == std::endian::little, "a recording is little-endian");
 
+/// First bytes of a recording (ours)
 inline constexpr std::string_view kMagic = "striate recording\n";
-inline constexpr std::uint32_t kVersion = 1;
-inline constexpr std::size_t kFileHead_bytes = kMagic.size() + 4;
+inline constexpr std::uint32_t kVersion = 1;  ///< of the layout; a reader refuses others
+inline constexpr std::size_t kFileHead_bytes = kMagic.size() + 4;  ///< magic and version
+/// Kind, size and two checksums of 4 bytes each
 inline constexpr std::size_t kChunkHead_bytes = 16;
+/// A cycle's two pictures of 8192 x 4096 px; more is damage, not a size to allocate
 inline constexpr std::uint32_t kMostChunk_bytes = 256U << 20U;
 
 enum class Chunk : std::uint32_t { setup = 1, cycle = 2, end = 3 };
@@ -36,7 +39,7 @@ constexpr std::array<std::uint32_t, 256> crc_table() {
 
 /// CRC-32C, as in the long-term memory; here by one table, which is fast beside the pictures' PNG.
 [[nodiscard]] inline std::uint32_t checksum(std::span<const std::uint8_t> bytes) {
-  static constexpr auto kTable = detail::crc_table();
+  static constexpr auto kTable = detail::crc_table();  ///< CRC-32C of every byte
   std::uint32_t crc = 0xFFFFFFFFU;
   for (const std::uint8_t byte : bytes) crc = (crc >> 8) ^ kTable[(crc ^ byte) & 0xFF];
   return ~crc;

@@ -23,7 +23,7 @@ std::unique_ptr<std::istream> open(const std::string& file) {
 
 /// As many of the bytes as there are. Grows with what is read, not with what is promised.
 std::size_t read(std::istream& stream, std::vector<std::uint8_t>& bytes, std::size_t count) {
-  constexpr std::size_t kStep = 1U << 20U;
+  constexpr std::size_t kStep = 1U << 20U;  // 1 MiB: what is taken on trust of a promised size
   bytes.clear();
   while (bytes.size() < count) {
     const std::size_t before = bytes.size();

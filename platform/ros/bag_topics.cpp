@@ -5,8 +5,10 @@
 namespace striate::ros1 {
 namespace {
 
-constexpr const char* kImage = "sensor_msgs/Image";
+constexpr const char* kImage = "sensor_msgs/Image";  // type of a picture; ROS 1 sensor_msgs
+/// Type of a compressed picture; ROS 1 sensor_msgs
 constexpr const char* kCompressed = "sensor_msgs/CompressedImage";
+/// Type of a camera's geometry; ROS 1 sensor_msgs
 constexpr const char* kInfo = "sensor_msgs/CameraInfo";
 
 /// Bags hold full names.

@@ -7,6 +7,7 @@
 namespace striate::ros1 {
 namespace {
 
+/// Poses of the head: 0.6 s at 100 Hz, longer than a picture may be late (stale_s)
 constexpr std::size_t kHeadsKept = 64;
 
 std::int64_t nanoseconds(const ::ros::Time& stamp) {

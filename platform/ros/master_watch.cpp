@@ -19,7 +19,9 @@
 namespace striate::ros1 {
 namespace {
 
+/// A master that is gone is noticed within kMasterSilent (ros_robot.cpp)
 constexpr auto kAskEvery = std::chrono::milliseconds(250);
+/// A master in the same building answers well within it (ours)
 constexpr int kAnswerWithin_ms = 300;
 
 /// Where the master listens; looked up once, for a name server may take long.

@@ -13,6 +13,7 @@
 namespace striate::ros1 {
 namespace {
 
+/// Where ROS 1 looks when ROS_MASTER_URI is not set
 constexpr const char* kUsualMaster = "http://localhost:11311";
 
 /// roscpp aborts the program for a bad address: so it is looked at first.

@@ -7,6 +7,7 @@
 namespace striate::ros1 {
 namespace {
 
+/// No camera has more; a message that promises it is damaged (ours)
 constexpr std::uint32_t kMostPixelsASide = 16384;
 
 struct Encoding {
@@ -14,7 +15,7 @@ struct Encoding {
   int cv_type;
   int to_bgr;  ///< a cv::ColorConversionCodes; kAsItIs: BGR already
 };
-constexpr int kAsItIs = -1;
+constexpr int kAsItIs = -1;  ///< no cv::ColorConversionCodes has it
 
 // OpenCV names a Bayer pattern by its second row, ROS by its first.
 constexpr Encoding kEncodings[] = {

@@ -18,7 +18,8 @@
 namespace striate::ros1 {
 namespace {
 
-constexpr double kPublishEvery_s = 0.05;
+constexpr double kPublishEvery_s = 0.05;  ///< odometry and tf at 20 Hz, twice a cycle
+/// As the Pioneer's: a disc speaks every 320 ms, twice that is stale
 constexpr Duration kSonarFresh = std::chrono::milliseconds(700);
 /// Four questions that it did not answer.
 constexpr Duration kMasterSilent = std::chrono::seconds(1);

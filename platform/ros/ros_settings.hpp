@@ -28,14 +28,14 @@ struct RosSettings {
   std::string head_frame = "head_link";
   std::string camera_frame = "stereo_left_optical";
 
-  double pairing_s = 0.02;
-  double stale_s = 0.5;
-  double lost_s = 5.0;
-  double lease_s = 0.5;
-  double focal_px = 0.0;
-  double baseline_m = 0.0;
-  double fixed_tilt_rad = 0.0;
-  double scan_forward_m = 0.0;
+  double pairing_s = 0.02;  ///< a fifth of the cycle; synchronised eyes differ by much less
+  double stale_s = 0.5;     ///< five pictures missed at 10 Hz
+  double lost_s = 5.0;      ///< ten times stale_s: what has not come back by then will not (ours)
+  double lease_s = 0.5;     ///< five cycles at 10 Hz, as the Pioneer's safety gate
+  double focal_px = 0.0;    ///< 0: as CameraInfo says
+  double baseline_m = 0.0;  ///< 0: as CameraInfo says
+  double fixed_tilt_rad = 0.0;  ///< a head that looks straight ahead
+  double scan_forward_m = 0.0;  ///< above the axle, unless told
 };
 
 template <class V>

@@ -41,6 +41,7 @@ class StampMap {
   }
 
  private:
+  /// Stamps of one topic that go back by more: the clock was set; less is disorder (ours)
   static constexpr Duration kBack = std::chrono::milliseconds(100);
   /// Clocks drift apart: the offset may grow by this share of the time that passes (200 ppm).
   static constexpr int kDriftShare = 5000;

@@ -35,6 +35,7 @@ class StereoPairing {
  private:
   std::optional<PicturePair> add(EyePicture picture, int eye);
 
+  /// Pictures of one eye: 0.4 s at 20 Hz, longer than the other one may be late
   static constexpr std::size_t kWaiting = 8;
   Duration tolerance_;
   std::deque<EyePicture> waiting_[2];

@@ -11,8 +11,10 @@
 namespace striate::ros1 {
 namespace {
 
-constexpr int kScanSteps = 360;
+constexpr int kScanSteps = 360;  // a turn in degrees, whatever the body's own steps are
+/// Nearest that a URG-04LX tells (DMIN of its PP reply, 20 mm)
 constexpr float kScanNearest_m = 0.02F;
+/// Beyond the reach of both lasers: nothing is cut off (ours)
 constexpr float kScanFarthest_m = 30.0F;
 
 }  // namespace

@@ -5,7 +5,7 @@
 namespace striate::simulator {
 namespace {
 
-constexpr double kAlmostS = 1e-9;
+constexpr double kAlmostS = 1e-9;  // sums of 10 ms are not exact: a nanosecond is there
 /// The camera runs on its own clock: its pictures fall between the base's cycles.
 constexpr double kFirstExposureS = 0.010;
 

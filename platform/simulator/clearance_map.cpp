@@ -8,10 +8,11 @@
 namespace striate::simulator {
 namespace {
 
-constexpr double kCellM = 0.1;
+constexpr double kCellM = 0.1;  // a fifth of a person's width: no gap that one fits through is lost
 /// People need no finer answer than "more than this".
-constexpr double kFarM = 1.5;
+constexpr double kFarM = 1.5;  // people need no finer answer than "more than this": six radii
 /// The string is pulled tight over this many cells at a time: long ways stay cheap.
+/// The string is pulled tight over so many cells, 8 m, at a time: long ways stay cheap (ours)
 constexpr std::size_t kPullCells = 80;
 
 }  // namespace

@@ -6,6 +6,7 @@ namespace striate::simulator {
 namespace {
 
 /// Slip of single steps: after 1 m of 10 ms steps this adds up to about 1 mrad.
+/// Slip of single steps adds up to 1 mrad after 1 m, below the run's own scales (ours)
 constexpr double kSlipRadPerRootM = 0.001;
 
 }  // namespace
@@ -33,7 +34,8 @@ void DeadReckoning::step(double dt_s, double forward_m_s, double turn_rad_s) {
 }
 
 Odometry DeadReckoning::reported(TimePoint now) const {
-  constexpr double kStepM = 0.001;
+  constexpr double kStepM = 0.001;  // 1 mm, and 1 mm/s: as a SIP tells it; ARCOS manual
+  // As a SIP tells a heading, 4096 to a turn; ARCOS manual
   constexpr double kStepRad = 2.0 * std::numbers::pi / 4096.0;
   const auto stepped = [](double value, double step) { return std::round(value / step) * step; };
   Odometry odometry;

@@ -8,6 +8,7 @@
 namespace striate::simulator {
 
 std::vector<Doorway> doorways(const World& world, const FloorPlan& plan, const ClearanceMap& map) {
+  // Before and behind a door leaf: a person's radius and 0.2 m of room (ours)
   constexpr double kStepM = 0.45;
   std::vector<Doorway> result;
   for (const Door& door : world.doors) {

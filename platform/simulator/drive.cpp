@@ -9,8 +9,12 @@ namespace {
 /// Steps that end within a nanosecond of a due time are there: sums of 10 ms are not exact.
 constexpr double kAlmostS = 1e-9;
 /// Slower than this the wheels cannot be told from standing.
+/// Slower than this the wheels cannot be told from standing: 20 times a SIP's 1 mm/s
 constexpr double kStandingM_s = 0.02;
-constexpr double kStandingRad_s = 0.05;
+constexpr double kStandingRad_s = 0.05;  // 3 deg/s: slower turning cannot be told from standing
+
+/// Share of the wanted speed: held wheels go slower; slip and ramps do not halve it (ours)
+constexpr double kHeld = 0.5;
 
 double towards(double value, double goal, double largest_change) {
   return value + std::clamp(goal - value, -largest_change, largest_change);
@@ -55,9 +59,9 @@ void Drive::step(double now_s, double dt_s, double really_forward_m_s, double re
 
 void Drive::feel_stall(double dt_s, double really_forward_m_s, double really_turn_rad_s) {
   const bool held_forward = std::abs(forward_m_s_) > kStandingM_s &&
-                            std::abs(really_forward_m_s) < 0.5 * std::abs(forward_m_s_);
+                            std::abs(really_forward_m_s) < kHeld * std::abs(forward_m_s_);
   const bool held_turn = std::abs(turn_rad_s_) > kStandingRad_s &&
-                         std::abs(really_turn_rad_s) < 0.5 * std::abs(turn_rad_s_);
+                         std::abs(really_turn_rad_s) < kHeld * std::abs(turn_rad_s_);
   if (!held_forward && !held_turn) {
     pushing_s_ = 0.0;
     stalled_ = false;

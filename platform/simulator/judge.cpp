@@ -11,13 +11,17 @@ namespace {
 /// The physics feels a touch by its own skin of about 2 mm, and not at every grazing pass: what is
 /// nearer than that by the exact distance is touched as well.
 constexpr double kTouchingM = 0.002;
-constexpr double kWatchedM = 0.03;  ///< so near it is measured at every step
-constexpr double kNearM = 0.10;
-constexpr double kFarAgainM = 0.15;  ///< a near miss has ended
-constexpr double kSameTouchS = 1.0;  ///< touching again so soon is the same collision
-constexpr double kPathPeriodS = 0.2;
-constexpr double kPeoplePeriodS = 0.5;
-constexpr double kAlmostS = 1e-9;
+/// So near it is measured at every step: two steps of 7.5 mm from each side (ours)
+constexpr double kWatchedM = 0.03;
+constexpr double kNearM = 0.10;  ///< a near miss: a hand's breadth (ours)
+/// A near miss has ended: so much beyond kNearM that noise ends none (ours)
+constexpr double kFarAgainM = 0.15;
+/// Touching again so soon is the same collision: a bounce (ours)
+constexpr double kSameTouchS = 1.0;
+constexpr double kPathPeriodS = 0.2;    ///< between noted poses: 0.15 m at full speed
+constexpr double kPeoplePeriodS = 0.5;  ///< between noted places of people: a step
+constexpr double kAlmostS = 1e-9;       ///< sums of 10 ms are not exact: a nanosecond is there
+/// Faster than this a thing counts as moving when it was hit: a tenth of a slow walk (ours)
 constexpr double kMovingM_s = 0.05;
 
 }  // namespace

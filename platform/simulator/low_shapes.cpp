@@ -7,10 +7,11 @@ namespace {
 
 // As the renderer draws them.
 constexpr double kTableLegM = 0.055;
-constexpr double kTableLegInM = 0.03;  ///< from the top's edge to the leg
-constexpr double kChairLegM = 0.026;
+constexpr double kTableLegInM = 0.03;  ///< from the top's edge to the leg, as the renderer draws it
+constexpr double kChairLegM = 0.026;   ///< thickness, as the renderer draws it
+/// From the seat's edge to the leg, as the renderer draws it
 constexpr double kChairLegInM = 0.022;
-constexpr double kPotShare = 0.48;  ///< of a plant's width
+constexpr double kPotShare = 0.48;  ///< of a plant's width, as the renderer draws it
 
 std::vector<ConvexShape> low_outline(const WorldObstacle& obstacle, const FloorPlan& plan) {
   Pose2 pose = plan.at(obstacle.at.x_m, obstacle.at.y_m);

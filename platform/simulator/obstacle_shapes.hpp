@@ -67,6 +67,7 @@ inline constexpr double kStackAbove_m = 0.7;
 
 /// A person takes this radius on the floor, arms and a step included.
 inline constexpr double kPersonRadius_m = 0.25;
+/// A grown-up (ours); the wardrobe's heights are shares of it
 inline constexpr double kPersonHeight_m = 1.78;
 
 [[nodiscard]] inline Footprint rectangle_footprint(double x_m, double y_m) {

@@ -10,11 +10,31 @@
 namespace striate::simulator {
 namespace {
 
+/// A person, and 2 cm that a walker's steps err by
 constexpr double kRoomM = kPersonRadius_m + 0.02;
-constexpr std::uint64_t kStepsPerDecision = 10;
-constexpr double kPatienceS = 4.0;  ///< held up for so long, a walker makes room
-constexpr double kYieldS = 8.0;     ///< from going back to trying again
-constexpr double kAppearM = 4.0;    ///< nearer to the robot nobody appears out of nothing
+constexpr std::uint64_t kStepsPerDecision = 10;  ///< of 10 ms: people decide ten times a second
+constexpr double kPatienceS = 4.0;  ///< held up for so long, a walker makes room (ours)
+/// From going back to trying again (ours)
+constexpr double kYieldS = 8.0;
+/// Nearer to the robot nobody appears out of nothing: seven times its way to stop
+constexpr double kAppearM = 4.0;
+
+/// By seed: a share of the speed, seconds of the start, metres along and across (ours). Runs
+/// differ, but nobody walks another way than the world file means.
+constexpr double kSlowest = 0.85, kFastest = 1.15;
+/// Latest start after the given one, s: some metres of way (ours).
+constexpr double kLatestS = 8.0;
+/// Points of a walk differ by no more along the corridor: a step's half (ours).
+constexpr double kAlongM = 0.3;
+/// And across it: less than the room beside a person in a narrow corridor (ours).
+constexpr double kAcrossM = 0.15;
+/// Farther people change nothing of where a walker steps within kMoments (walker.cpp): 1.8 s at 1.5
+/// m/s each.
+constexpr double kSeesOthersM = 6.0;
+/// Nobody appears nearer to another: two radii and a step (ours).
+constexpr double kFreeToAppearM = 1.0;
+/// A door within this is looked for at the end of a way: the doors of the worlds are nearer (ours).
+constexpr double kDoorWithinM = 20.0;
 
 /// A way through the corridor's points that goes round what stands there; where a leg has no free
 /// way its end is left out.
@@ -57,15 +77,15 @@ void People::add_walks(std::uint64_t seed) {
   for (const Walk& walk : world_.walks) {
     Walking walking;
     walking.slot = walks_.size();
-    walking.speed_m_s = walk.speed_m_s * random.between(draw++, 0.85, 1.15);
-    walking.from_s = walk.from_s + random.between(draw++, 0.0, 8.0);
+    walking.speed_m_s = walk.speed_m_s * random.between(draw++, kSlowest, kFastest);
+    walking.from_s = walk.from_s + random.between(draw++, 0.0, kLatestS);
     walking.repeat = walk.repeat;
     walking.look = static_cast<int>(random.bits(draw++) % 64);
     std::vector<Point2> points = walk.points;
     for (Point2& point : points) {
       const Point2 given = point;
-      point.x_m += random.between(draw++, -0.3, 0.3);
-      point.y_m += random.between(draw++, -0.15, 0.15);
+      point.x_m += random.between(draw++, -kAlongM, kAlongM);
+      point.y_m += random.between(draw++, -kAcrossM, kAcrossM);
       const Pose2 pose = plan_.at(point.x_m, point.y_m);
       if (map_.at({pose.x_m, pose.y_m}) < kRoomM) point = given;
     }
@@ -114,7 +134,7 @@ void People::see_others(std::size_t slot) {
   for (std::size_t other = 0; other < slots_.size(); ++other) {
     const Walker* walker = walker_of(other);
     if (other == slot || !walker->present()) continue;
-    if (distance_m(here, walker->at()) < 6.0) around_.others.push_back(walker->passer());
+    if (distance_m(here, walker->at()) < kSeesOthersM) around_.others.push_back(walker->passer());
   }
 }
 
@@ -156,7 +176,7 @@ bool People::appear(Walking& walking, double now_s) {
   if (distance_m(from, {around_.robot.x_m, around_.robot.y_m}) < kAppearM) return false;
   for (std::size_t slot = 0; slot < slots_.size(); ++slot) {
     const Walker* other = walker_of(slot);
-    if (other->present() && distance_m(from, other->at()) < 1.0) return false;
+    if (other->present() && distance_m(from, other->at()) < kFreeToAppearM) return false;
   }
   const Point2& next = walking.way[1];
   walking.walker.appear({from.x_m, from.y_m, std::atan2(next.y_m - from.y_m, next.x_m - from.x_m)},
@@ -173,7 +193,7 @@ void People::end_of_way(Walking& walking) {
   } else if (walking.repeat) {
     std::reverse(walking.way.begin(), walking.way.end());
     walker.go(walking.way, walking.speed_m_s);
-  } else if (auto out = way_out(walker.at(), doors_, map_, 20.0)) {
+  } else if (auto out = way_out(walker.at(), doors_, map_, kDoorWithinM)) {
     walking.leaving = true;
     walking.after_doors = {out->door};
     walker.go(std::move(out->way), walking.speed_m_s, walking.after_doors);

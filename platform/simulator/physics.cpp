@@ -14,10 +14,19 @@ namespace striate::simulator {
 namespace {
 
 // What a fixture is for: touched by the robot, seen by range finders, or both.
+/// Bit of what the robot touches; Box2D's filter categories
 constexpr std::uint16_t kTouchable = 1;
-constexpr std::uint16_t kSeen = 2;
-constexpr std::uint16_t kSmooth = 4;
-constexpr std::uint16_t kRobot = 8;
+constexpr std::uint16_t kSeen = 2;    ///< bit of what range finders see
+constexpr std::uint16_t kSmooth = 4;  ///< bit of what sends sound back like a mirror
+constexpr std::uint16_t kRobot = 8;   ///< bit of the robot itself
+/// Of everything that can be pushed against: rubber and furniture on a smooth floor (ours).
+constexpr float kFriction = 0.3F;
+/// kg: a P3-DX of 9 kg, three batteries, mast, cameras and computer (ours).
+constexpr float kMassKg = 25.0F;
+/// kg m2: that mass as a disc of 0.35 m radius; the mast's foot is narrow, the base is not (ours).
+constexpr float kInertiaKgM2 = 1.5F;
+/// Faster than this a thing moves: below a person's shifting of weight, above rounding (ours).
+constexpr float kMovesM_s = 0.05F;
 /// Box2D keeps 1 cm of skin round polygons; so thin, touching means touching to 2 mm.
 constexpr float kSkinM = 0.001F;
 /// What the range finders see of a person: legs, not arms.
@@ -56,7 +65,7 @@ struct Physics::Parts {
     b2FixtureDef def;
     def.filter.categoryBits = category;
     def.filter.maskBits = meets;
-    def.friction = 0.3F;
+    def.friction = kFriction;
     def.density = 1.0F;
     b2CircleShape circle;
     b2EdgeShape edge;
@@ -113,9 +122,9 @@ Physics::Physics(const World& world, const FloorPlan& plan, const RobotDescripti
   parts_->add_fixture(parts_->robot, robot_footprint(robot), kRobot, kTouchable);
   // The axle is the origin, and the wheels turn the base about it.
   b2MassData mass;
-  mass.mass = 25.0F;
+  mass.mass = kMassKg;
   mass.center.SetZero();
-  mass.I = 1.5F;
+  mass.I = kInertiaKgM2;
   parts_->robot->SetMassData(&mass);
 }
 
@@ -165,8 +174,8 @@ std::vector<Touch> Physics::touches() const {
        edge = edge->next) {
     if (!edge->contact->IsTouching()) continue;
     b2Body* other = edge->other;
-    touches.push_back(
-        {parts_->names[other->GetUserData().pointer], other->GetLinearVelocity().Length() > 0.05F});
+    touches.push_back({parts_->names[other->GetUserData().pointer],
+                       other->GetLinearVelocity().Length() > kMovesM_s});
   }
   return touches;
 }

@@ -6,17 +6,27 @@
 namespace striate::simulator {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kFirePeriodS = 0.040;
-constexpr int kRaysPerBeam = 7;
-constexpr double kSonarNearestM = 0.10;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();  // m: no echo
+constexpr double kFirePeriodS = 0.040;  // one disc of an array each; P3-DX, SONARCYCLE's default
+constexpr int kRaysPerBeam =
+    7;  // 4 deg apart in a beam of 25: a chair's leg, 26 mm, is not missed up to 0.35 m
+constexpr double kSonarNearestM = 0.10;  // nearest that a disc of a P3-DX tells
 /// A wall sends sound back where it stands square to the beam within 25 deg; edges, cloth and
 /// cardboard scatter it within 70 deg.
 const double kCosSmooth = std::cos(radians(25.0));
+/// Edges, cloth and cardboard scatter sound within 70 deg (ours)
 const double kCosRough = std::cos(radians(70.0));
 /// Each array's discs fire far from the one before, against echoes of the neighbour.
 constexpr std::array<std::size_t, 8> kOrder{0, 5, 1, 4, 2, 7, 3, 6};
-constexpr double kLaserForwardM = 0.021;
+constexpr double kLaserForwardM = 0.021;  // mount of an LMS-200 on a P3-DX (ARIA's p3dx-sh.p)
+
+/// Standard deviation of an echo: 4 mm and 0.5 % of the way, as the speed of sound changes with
+/// some degrees of temperature (ours).
+constexpr double kEchoNoiseM = 0.004;
+/// Share of the way that an echo errs by, see kEchoNoiseM.
+constexpr double kEchoNoiseShare = 0.005;
+/// Nearest that a URG-04LX tells (DMIN of its PP reply, 20 mm).
+constexpr double kLaserNearestM = 0.02;
 
 RangeReading from_axle(const Pose2& sensor, double distance_m) {
   const double reach = std::isfinite(distance_m) ? distance_m : 0.0;
@@ -76,7 +86,7 @@ void Sonar::fire(std::size_t disc, const Physics& physics) {
     nearest = std::min(nearest, hit.distance_m);
   }
   if (std::isfinite(nearest)) {
-    nearest += (0.004 + 0.005 * nearest) * random_.normal(16 * fired_ + disc);
+    nearest += (kEchoNoiseM + kEchoNoiseShare * nearest) * random_.normal(16 * fired_ + disc);
     nearest = std::max(nearest, kSonarNearestM);
   }
   scan_.readings[disc] = from_axle(pose, nearest);
@@ -94,7 +104,8 @@ RangeScan Laser::sweep(TimePoint now, const Physics& physics) {
         physics.ray({outer.x_m, outer.y_m}, outer.heading_rad + bearing, settings_.laser_range_m)
             .distance_m;
     if (std::isfinite(distance)) {
-      distance = std::max(0.02, distance + settings_.laser_noise_m * random_.normal(rays_));
+      distance =
+          std::max(kLaserNearestM, distance + settings_.laser_noise_m * random_.normal(rays_));
     }
     scan.readings.push_back(from_axle({mount.x_m, mount.y_m, bearing}, distance));
   }

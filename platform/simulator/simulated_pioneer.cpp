@@ -15,7 +15,7 @@
 namespace striate::simulator {
 namespace {
 
-constexpr double kStepS = 0.010;
+constexpr double kStepS = 0.010;  // ten steps a SIP cycle; at 0.75 m/s a step is 7.5 mm
 
 class SimulatedClock : public Clock {
  public:

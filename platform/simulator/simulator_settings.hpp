@@ -10,8 +10,8 @@ struct BaseSettings {
   double watchdog_s = 0.5;          ///< without a command for this long the wheels stop
   double stall_after_s = 0.2;       ///< of pushing against something
   double start_offset_m = 0.03;     ///< deviation of the true start from the world's, each axis
-  double start_turn_rad = 0.035;
-  double battery_start_v = 12.7;
+  double start_turn_rad = 0.035;  ///< 2 deg, deviation of the first heading: placed by hand (ours)
+  double battery_start_v = 12.7;  ///< full lead batteries at rest, 2.12 V a cell
   double battery_drop_v_per_h = 0.6;  ///< standing; driving takes as much again per 300 m
 };
 
@@ -35,16 +35,19 @@ void visit(V& v, BaseSettings& s) {
 
 /// What is wrong with the senses, drawn anew for each seed.
 struct SensorSettings {
-  double odometry_way_error = 0.0075;    ///< deviation of the scale of ways
-  double odometry_turn_error = 0.0075;   ///< deviation of the scale of turns
+  /// Deviation of the scale of ways: 0.75 % of the way, drawn anew each run
+  double odometry_way_error = 0.0075;
+  /// Deviation of the scale of turns: 0.75 % of the turning, drawn anew each run
+  double odometry_turn_error = 0.0075;
   double odometry_drift_rad_m = 0.0005;  ///< deviation of the turn that each metre seems to make
-  double sonar_range_m = 5.0;
-  double sonar_half_beam_rad = 0.22;
-  double laser_range_m = 8.0;
+  double sonar_range_m = 5.0;            ///< farthest that a P3-DX tells; no echo is 5000 mm
+  double sonar_half_beam_rad = 0.22;     ///< 12.5 deg: half the beam of a P3-DX's disc
+  double laser_range_m = 8.0;            ///< as the lasers' 13 bits of mm tell (8.19 m)
+  /// Deviation of a reading; URG-04LX data sheet: 10 mm up to 1 m
   double laser_noise_m = 0.01;
-  double servo_speed_rad_s = 2.0;
-  double camera_period_s = 0.1;
-  double camera_latency_s = 0.085;  ///< from light to picture
+  double servo_speed_rad_s = 2.0;   ///< a third of an AX-12A's 6.2 rad/s without load
+  double camera_period_s = 0.1;     ///< a picture each cycle of the paper's 10 Hz
+  double camera_latency_s = 0.085;  ///< from light to picture, as a real stereo head has
 };
 
 template <class V>
@@ -69,11 +72,11 @@ void visit(V& v, SensorSettings& s) {
 
 /// What breaks on purpose. 0 s: never.
 struct FaultSettings {
-  double camera_stops_at_s = 0.0;
-  double camera_returns_at_s = 0.0;
-  double picture_loss = 0.0;  ///< share of pictures that never come
-  double command_loss = 0.0;  ///< share of commands that never come
-  double link_stops_at_s = 0.0;
+  double camera_stops_at_s = 0.0;    ///< no fault unless asked for
+  double camera_returns_at_s = 0.0;  ///< no fault unless asked for
+  double picture_loss = 0.0;         ///< share of pictures that never come
+  double command_loss = 0.0;         ///< share of commands that never come
+  double link_stops_at_s = 0.0;      ///< no fault unless asked for
 };
 
 template <class V>

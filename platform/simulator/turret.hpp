@@ -21,6 +21,7 @@ class Turret {
 
   /// As the servos report it: in steps of 300 deg / 1023 (Dynamixel AX-12).
   [[nodiscard]] HeadPose reported() const {
+    /// AX-12A control table: 0 .. 1023 is 0 .. 300 deg
     constexpr double kStepRad = radians(300.0) / 1023.0;
     return {std::round(pose_.pan_rad / kStepRad) * kStepRad,
             std::round(pose_.tilt_rad / kStepRad) * kStepRad};

@@ -10,21 +10,47 @@
 namespace striate::simulator {
 namespace {
 
-constexpr double kR = kPersonRadius_m;
-constexpr double kHandM = 0.12;      ///< nearer to the robot nobody steps of his own will
-constexpr double kComfortM = 0.32;   ///< nearer to the robot nobody likes to be
-constexpr double kFriendlyM = 0.15;  ///< likewise for other people
-constexpr double kEager = 2.5;       ///< how much a metre of way counts against comfort
+constexpr double kR = kPersonRadius_m;  ///< of a person on the floor
+/// Nearer to the robot nobody steps of his own will: a hand's breadth (ours)
+constexpr double kHandM = 0.12;
+constexpr double kComfortM = 0.32;  ///< nearer to the robot nobody likes to be (ours)
+/// Likewise for other people: they give way, the robot does not (ours)
+constexpr double kFriendlyM = 0.15;
+/// How much a metre of way counts against comfort (ours)
+constexpr double kEager = 2.5;
+/// Stands within half a second from a quick walk of 1.5 m/s
 constexpr double kAcceleration_m_s2 = 3.0;
-constexpr double kTurning_rad_s = 5.0;
-constexpr double kLookAheadM = 1.0;  ///< on the way, for where to go
-constexpr double kSeesRobotM = 2.5;  ///< on his way, from where he makes for its side
-constexpr double kBesideM = 0.72;    ///< from its middle when passing
-constexpr double kTwoStepsM = 1.4;   ///< length of a stride: both legs once
-constexpr double kDoorReachM = 0.8;
+constexpr double kTurning_rad_s = 5.0;  ///< turns round within 0.6 s
+constexpr double kLookAheadM = 1.0;     ///< on the way, for where to go: a second's walk (ours)
+/// On his way, from where he makes for its side: kMoments at a walk, and the robot's own (ours)
+constexpr double kSeesRobotM = 2.5;
+/// From its middle when passing: half width, radius and most of kComfortM
+constexpr double kBesideM = 0.72;
+constexpr double kTwoStepsM = 1.4;   ///< length of a stride, both legs once: 0.7 m a step
+constexpr double kDoorReachM = 0.8;  ///< nearer to a door a walker is in it: a stride's half (ours)
 /// Looking ahead in time, at these moments.
 constexpr std::array<double, 4> kMoments{0.3, 0.7, 1.2, 1.8};
+/// Directions tried to either side of the way; beyond 95 deg he stands rather (ours)
 constexpr std::array<double, 9> kOffsetsDeg{0, 20, -20, 40, -40, 65, -65, 95, -95};
+
+/// What a walker minds, against a metre of way (kEager); all ours, so that people pass each other
+/// and the robot as in a real corridor.
+constexpr double kMindsChange = 0.12;       ///< of velocity, for each m/s: gait is steady
+constexpr double kMindsTurning = 0.1;       ///< away from the way, for each rad
+constexpr double kMindsTouching = 8.0;      ///< a wall or furniture: above all else
+constexpr double kTouchesM = 0.02;          ///< room to a wall that is touching
+constexpr double kMindsWall = 0.5;          ///< for each metre nearer to a wall than kBesideWallM
+constexpr double kBesideWallM = 0.12;       ///< room to a wall that is comfortable
+constexpr double kMindsRobot = 4.0;         ///< nearly within kHandM of the robot
+constexpr double kMindsPerson = 3.0;        ///< nearly touching another person
+constexpr double kNearlyM = 0.05;           ///< a step's error
+constexpr double kMindsNearness = 2.0;      ///< for each metre nearer than comfort asks for
+constexpr double kMindsRobotWithinM = 1.2;  ///< beyond, no footprint of the robot is within comfort
+constexpr double kMayTouchWithinM = 3.0;    ///< beyond, neither robot nor its braking way is near
+constexpr double kHeldUpM_s = 0.1;          ///< slower is held up
+constexpr double kFacesM_s = 0.2;           ///< slower, he does not turn to where he goes
+constexpr double kLegsM_s = 0.05;           ///< slower, the legs come together
+constexpr double kThereM = 0.12;  ///< so near to its end a way has been walked: half a radius
 
 /// Where the robot will be if it goes on as it does now.
 Pose2 predicted(const Surroundings& around, double after_s) {
@@ -62,7 +88,7 @@ void Walker::go(std::vector<Point2> way, double speed_m_s, std::vector<Point2> d
 }
 
 bool Walker::arrived() const {
-  return way_.empty() || distance_m(at(), way_.back()) < 0.12;
+  return way_.empty() || distance_m(at(), way_.back()) < kThereM;
 }
 
 void Walker::face(Point2 place) {
@@ -149,7 +175,7 @@ void Walker::decide(const Surroundings& around) {
   for (const double share : {1.0, 0.5}) {
     for (const double offset : kOffsetsDeg) {
       const Choice choice{ahead + radians(offset), share * speed};
-      const double value = cost(choice, target, around) + 0.1 * std::abs(radians(offset));
+      const double value = cost(choice, target, around) + kMindsTurning * std::abs(radians(offset));
       if (value < lowest) {
         lowest = value;
         best = choice;
@@ -164,7 +190,7 @@ double Walker::cost(const Choice& choice, Point2 target, const Surroundings& aro
   const double vx = choice.speed_m_s * std::cos(choice.direction_rad);
   const double vy = choice.speed_m_s * std::sin(choice.direction_rad);
   const double change = std::hypot(vx - velocity_x_m_s_, vy - velocity_y_m_s_);
-  double sum = 0.12 * change;
+  double sum = kMindsChange * change;
   Point2 place = at();
   // Beyond the target the way bends: looking further would judge places he will not go to.
   const double reach = distance_m(place, target);
@@ -185,21 +211,21 @@ double Walker::cost_at(Point2 place, double after_s, const Surroundings& around)
   const double comfort = std::max(0.2, 1.0 - 0.2 * held_up_s_);
   if (!at_a_door(place)) {
     const double room = around.map->at(place) - kR;
-    if (room < 0.02 && room < around.map->at(at()) - kR - 1e-6) sum += 8.0;
-    if (room < 0.12) sum += 0.5 * (0.12 - room);
+    if (room < kTouchesM && room < around.map->at(at()) - kR - 1e-6) sum += kMindsTouching;
+    if (room < kBesideWallM) sum += kMindsWall * (kBesideWallM - room);
   }
   const Pose2 robot = predicted(around, after_s);
-  if (distance_m(place, {robot.x_m, robot.y_m}) < 1.2) {
+  if (distance_m(place, {robot.x_m, robot.y_m}) < kMindsRobotWithinM) {
     const double room = distance_m(moved(around.footprint, robot), disc(place, kR));
-    if (room < kHandM + 0.05) sum += 4.0 * urgency;
-    if (room < kComfortM) sum += 2.0 * comfort * urgency * (kComfortM - room);
+    if (room < kHandM + kNearlyM) sum += kMindsRobot * urgency;
+    if (room < kComfortM) sum += kMindsNearness * comfort * urgency * (kComfortM - room);
   }
   for (const Passer& other : around.others) {
     const Point2 then{other.at.x_m + after_s * other.velocity_x_m_s,
                       other.at.y_m + after_s * other.velocity_y_m_s};
     const double room = distance_m(place, then) - 2 * kR;
-    if (room < 0.05) sum += 3.0 * urgency;
-    if (room < kFriendlyM) sum += 2.0 * comfort * urgency * (kFriendlyM - room);
+    if (room < kNearlyM) sum += kMindsPerson * urgency;
+    if (room < kFriendlyM) sum += kMindsNearness * comfort * urgency * (kFriendlyM - room);
   }
   return sum;
 }
@@ -210,7 +236,7 @@ bool Walker::may_step_to(Point2 place, const Surroundings& around) const {
     const double room = around.map->at(place);
     if (room < kR && room < around.map->at(here)) return false;
   }
-  if (distance_m(place, {around.robot.x_m, around.robot.y_m}) < 3.0) {
+  if (distance_m(place, {around.robot.x_m, around.robot.y_m}) < kMayTouchWithinM) {
     // A turning robot sweeps more than it covers.
     const double keep = kHandM + 0.1 * std::min(1.0, std::abs(around.robot_turn_rad_s) / 0.5);
     for (const ConvexShape* shape : {&around.body, &around.braking}) {
@@ -246,8 +272,8 @@ void Walker::step(double dt_s, const Surroundings& around) {
   state_.pose.x_m += velocity_x_m_s_ * dt_s;
   state_.pose.y_m += velocity_y_m_s_ * dt_s;
   state_.speed_m_s = std::hypot(velocity_x_m_s_, velocity_y_m_s_);
-  held_up_s_ = !arrived() && state_.speed_m_s < 0.1 ? held_up_s_ + dt_s : 0.0;
-  if (state_.speed_m_s > 0.2) facing_rad_ = std::atan2(velocity_y_m_s_, velocity_x_m_s_);
+  held_up_s_ = !arrived() && state_.speed_m_s < kHeldUpM_s ? held_up_s_ + dt_s : 0.0;
+  if (state_.speed_m_s > kFacesM_s) facing_rad_ = std::atan2(velocity_y_m_s_, velocity_x_m_s_);
   turn_towards(facing_rad_, dt_s);
   swing_legs(dt_s);
 }
@@ -260,7 +286,7 @@ void Walker::turn_towards(double heading_rad, double dt_s) {
 
 void Walker::swing_legs(double dt_s) {
   using std::numbers::pi;
-  if (state_.speed_m_s > 0.05) {
+  if (state_.speed_m_s > kLegsM_s) {
     state_.stride_rad += 2 * pi * state_.speed_m_s * dt_s / kTwoStepsM;
   } else {  // the legs come together
     const double rest = std::round(state_.stride_rad / pi) * pi;

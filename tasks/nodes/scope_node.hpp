@@ -22,7 +22,7 @@ struct Guard {
 /// run after every ending: success, failure, and when the task is halted.
 class ScopeNode final : public TaskNode {
  public:
-  /// A `finally` that does not end must not keep the robot for ever.
+  /// A `finally` that does not end must not keep the robot for ever. By hand.
   static constexpr Duration kFinallyLimit = std::chrono::seconds(30);
 
   /// @param finally nullptr: there is none.

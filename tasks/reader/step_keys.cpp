@@ -15,7 +15,7 @@ namespace {
 
 using config::Node;
 
-constexpr config::Range kWithin_s{0.1, 86400.0};
+constexpr config::Range kWithin_s{0.1, 86400.0};  // seconds: from one cycle to a day
 
 const Node* value_of(const Node& step, const char* key) {
   const Node::Entry* entry = step.find(key);

@@ -14,7 +14,7 @@ using config::Mistakes;
 using config::Node;
 namespace fs = std::filesystem;
 
-constexpr std::size_t kDeepest = 8;  ///< files that use each other
+constexpr std::size_t kDeepest = 8;  ///< by hand: files that use each other; more is a circle
 
 /// Reads the file that a step uses, with the step's parameters.
 class UseReader {

@@ -8,11 +8,13 @@
 namespace striate {
 namespace {
 
+// By hand, px of the drawing: a row of 12 px letters with room above and below, its box, the step
+// of a depth, the edge; and the width of a monospaced letter of 12 px.
 constexpr int kRow_px = 34;
 constexpr int kBox_px = 26;
 constexpr int kIndent_px = 30;
 constexpr int kMargin_px = 12;
-constexpr double kLetter_px = 7.3;  // of the monospaced 12 px letters
+constexpr double kLetter_px = 7.3;  // of the monospaced 12 px letters: 0.6 em and a little
 
 const char* colour_of(Outline::Kind kind) {
   switch (kind) {

@@ -1,17 +1,20 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "platform/pioneer/arcos/packet_stream.hpp"
 
-/// Recorded bytes of real programs and simulators: one chunk a line, "seconds direction hex...".
-/// They are looked for in STRIATE_SHARED_DATA/captures and are not part of the project.
+/// Recorded bytes: one chunk a line, "seconds direction hex...". The project's own recordings are
+/// in tests/fixtures/captures; those of other programs and simulators are read beside them where
+/// the public data is at hand (STRIATE_SHARED_DATA/captures).
 namespace striate::reference {
 
 using pioneer::Bytes;
@@ -24,11 +27,6 @@ inline Bytes from_hex(const std::string& text) {
     bytes.push_back(static_cast<std::uint8_t>(std::stoul(word, nullptr, 16)));
   }
   return bytes;
-}
-
-inline std::filesystem::path captures_folder(const std::string& built_with) {
-  const char* folder = std::getenv("STRIATE_SHARED_DATA");
-  return std::filesystem::path(folder != nullptr ? folder : built_with) / "captures";
 }
 
 struct Chunk {
@@ -62,18 +60,45 @@ inline Bytes one_way(const std::vector<Chunk>& chunks, const std::string& direct
   return bytes;
 }
 
-/// The captures that hold ARCOS; empty where there are none.
-inline std::vector<std::filesystem::path> arcos_captures(const std::string& built_with) {
-  std::vector<std::filesystem::path> files;
-  const std::filesystem::path folder = captures_folder(built_with);
-  if (!std::filesystem::is_directory(folder)) return files;
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    const std::string name = entry.path().filename().string();
-    const bool arcos =
-        name.find("amrisim") != std::string::npos || name.find("mobilesim") != std::string::npos;
-    if (arcos) files.push_back(entry.path());
-  }
+/// All captures of one kind, those of the project first.
+/// @param kind any of these words is in their names
+/// @throws std::runtime_error when the project's own are missing: no test passes without bytes
+inline std::vector<std::filesystem::path> captures(const std::vector<std::string>& kind) {
+  namespace fs = std::filesystem;
+  std::vector<fs::path> files;
+  const auto add_all = [&](const fs::path& folder) {
+    if (!fs::is_directory(folder)) return;
+    for (const auto& entry : fs::directory_iterator(folder)) {
+      const std::string name = entry.path().filename().string();
+      const bool wanted = std::any_of(kind.begin(), kind.end(), [&](const std::string& word) {
+        return name.ends_with(".hex") && name.find(word) != std::string::npos;
+      });
+      if (wanted) files.push_back(entry.path());
+    }
+  };
+  add_all(STRIATE_SOURCE_DIR "/tests/fixtures/captures");
+  if (files.empty()) throw std::runtime_error("no recording of " + kind[0] + " in tests/fixtures");
+  const char* folder = std::getenv("STRIATE_SHARED_DATA");
+  add_all(fs::path(folder != nullptr ? folder : STRIATE_SHARED_DATA) / "captures");
   return files;
+}
+
+/// A word that is in the file's name, not in that of its folder.
+inline bool named(const std::filesystem::path& file, const std::string& word) {
+  return file.filename().string().find(word) != std::string::npos;
+}
+
+inline std::vector<std::filesystem::path> arcos_captures() {
+  return captures({"arcos", "amrisim", "mobilesim"});
+}
+inline std::vector<std::filesystem::path> lms_captures() {
+  return captures({"lms200"});
+}
+inline std::vector<std::filesystem::path> urg_captures() {
+  return captures({"urg"});
+}
+inline std::vector<std::filesystem::path> servo_captures() {
+  return captures({"dynamixel"});
 }
 
 }  // namespace striate::reference

@@ -4,8 +4,10 @@
 
 #include "app/evaluation/stereo_pairs.hpp"
 #include "app/evaluation/stereo_score.hpp"
+#include "tests/reference/painted_rooms.hpp"
+#include "tests/reference/temporary_folder.hpp"
 
-/// The public stereo pairs, for tests; read as `striate eval stereo` reads them.
+/// Stereo pairs with true disparities, for tests; read as `striate eval stereo` reads them.
 namespace striate::reference {
 
 using striate::judge;
@@ -27,6 +29,17 @@ inline std::vector<StereoPair> load_stereo_pairs(const std::filesystem::path& fo
     pairs.push_back(read_stereo_pair(one, size));
   }
   return pairs;
+}
+
+/// Painted rooms, one for each seed from 1 on; at hand everywhere.
+inline std::vector<StereoPair> painted_stereo_pairs(int count, cv::Size size) {
+  const TemporaryFolder folder;
+  for (int seed = 1; seed <= count; ++seed) {
+    const std::string room = folder / ("room " + std::to_string(seed));
+    std::filesystem::create_directory(room);
+    write_pair(PaintedRoom(static_cast<std::uint64_t>(seed)).paint(), room);
+  }
+  return load_stereo_pairs(folder.path(), size);
 }
 
 }  // namespace striate::reference

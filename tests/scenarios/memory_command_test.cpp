@@ -1,7 +1,6 @@
 #include <SQLiteCpp/Database.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <sys/mount.h>
 
 #include <nlohmann/json.hpp>
 #include <opencv2/core.hpp>
@@ -176,31 +175,6 @@ TEST(MemoryCommand, DrawsTheMapOfTheGoldenMemory) {
   EXPECT_EQ(memory(foreign, {"list"}).exit_code, 2);
   EXPECT_THAT(striate({"teach", "x", "--image", picture, "--memory", foreign}).err,
               HasSubstr("not a memory of Striate's"));
-}
-
-TEST(MemoryCommand, AFullDiskIsSaidAndWhatWasTaughtBeforeIsThere) {
-  const TemporaryFolder folder;
-  const std::string disk = folder / "disk";
-  std::filesystem::create_directory(disk);
-  if (mount("none", disk.c_str(), "tmpfs", 0, "size=1m") != 0) GTEST_SKIP() << "no right to mount";
-  const std::string file = disk + "/home.db";
-  int kept = 0;
-  Ended last;
-  for (int seed = 1; seed < 12; ++seed) {
-    last = striate({"teach", "thing " + std::to_string(seed), "--image",
-                    picture_of_a_thing(folder, seed), "--memory", file});
-    if (last.exit_code != 0) break;
-    ++kept;
-  }
-  EXPECT_EQ(last.exit_code, 2);
-  EXPECT_THAT(last.err, HasSubstr("home.db: error"));
-  EXPECT_EQ(memory_json(file, {"list"}).size(), static_cast<std::size_t>(kept));
-  EXPECT_EQ(memory(file, {"check"}).exit_code, 0);
-  const Ended run = striate({"run", "config/tasks/corridor.yaml", "--world",
-                             "config/worlds/empty.yaml", "--memory", file});
-  EXPECT_EQ(run.exit_code, 2);
-  EXPECT_THAT(run.err, HasSubstr("there is no room left"));
-  umount(disk.c_str());
 }
 
 }  // namespace

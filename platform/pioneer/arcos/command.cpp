@@ -6,8 +6,11 @@
 namespace striate::pioneer::arcos {
 namespace {
 
+/// Argument type: int, not negative; ARCOS manual, command packets
 constexpr std::uint8_t kPositive = 0x3b;
+/// Argument type: absolute value of a negative int; ARCOS manual, command packets
 constexpr std::uint8_t kNegative = 0x1b;
+/// Argument type: string with its length; ARCOS manual, command packets
 constexpr std::uint8_t kText = 0x2b;
 
 Bytes typed(Command id, std::uint8_t type, std::uint8_t low, std::uint8_t high) {

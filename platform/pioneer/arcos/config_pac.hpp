@@ -10,7 +10,7 @@ namespace striate::pioneer::arcos {
 /// What a robot says about itself when it is asked (CONFIG, reply 0x20): its kind, limits, working
 /// values and calibration. Firmware that knows fewer fields sends less; the rest is 0 and "".
 struct ConfigPac {
-  static constexpr std::uint8_t kId = 0x20;
+  static constexpr std::uint8_t kId = 0x20;  ///< CONFIGpac's packet type; ARCOS manual
 
   std::string type, subtype, serial;
   std::uint8_t four_motors = 0;

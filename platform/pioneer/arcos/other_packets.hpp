@@ -21,7 +21,7 @@ struct RobotNames {
 
 /// JOYINFO's answer. Axes 0..1023, the middle is 512.
 struct Joystick {
-  static constexpr std::uint8_t kId = 0xf8;
+  static constexpr std::uint8_t kId = 0xf8;  ///< JOYSTICKpac's packet type; ARCOS manual
   bool button1 = false;
   bool button2 = false;
   std::uint16_t x = 512;
@@ -33,7 +33,7 @@ struct Joystick {
 
 /// ENCODER's answer: ticks of the wheels.
 struct Encoders {
-  static constexpr std::uint8_t kId = 0x90;
+  static constexpr std::uint8_t kId = 0x90;  ///< ENCODERpac's packet type; ARCOS manual
   std::int32_t left_ticks = 0;
   std::int32_t right_ticks = 0;
 };
@@ -41,7 +41,7 @@ struct Encoders {
 
 /// SIMSTAT: the truth, to score a driver by. Simulated robots only.
 struct SimStat {
-  static constexpr std::uint8_t kId = 0x62;
+  static constexpr std::uint8_t kId = 0x62;  ///< SIMSTAT's packet type, as MobileSim sends it
   std::int32_t x_mm = 0;
   std::int32_t y_mm = 0;
   std::int32_t heading_deg = 0;
@@ -51,7 +51,9 @@ struct SimStat {
 
 /// Part of a sweep of the in-band laser. Simulated robots only.
 struct SimLaser {
+  /// Packet type of a laser in the stream, as MobileSim sends it
   static constexpr std::uint8_t kId = 0x61;
+  /// Readings a packet, as MobileSim sends them: 181 in six packets
   static constexpr std::size_t kMostReadings = 32;
   std::uint16_t total = 0;  ///< readings of the whole sweep, from right to left
   std::uint16_t first = 0;  ///< of these

@@ -3,7 +3,9 @@
 namespace striate::pioneer::arcos {
 namespace {
 
+/// First byte of every packet; ARCOS manual, packet protocol
 constexpr std::uint8_t kFirst = 0xfa;
+/// Second byte of every packet; ARCOS manual, packet protocol
 constexpr std::uint8_t kSecond = 0xfb;
 constexpr std::size_t kLeastCount = 3;  ///< id and checksum
 

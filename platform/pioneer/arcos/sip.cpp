@@ -4,6 +4,7 @@ namespace striate::pioneer::arcos {
 namespace {
 
 constexpr std::size_t kHead = 19;  ///< payload up to and with the sonar count
+/// Deg C: the robot does not know; ARCOS manual, standard SIP
 constexpr std::int8_t kNoTemperature = -127;
 
 void read_sonar(ByteReader& reader, Sip& sip) {

@@ -16,9 +16,13 @@ namespace striate::pioneer {
 #ifdef STRIATE_HAS_DC1394
 namespace {
 
+/// Ten pictures at 10 Hz: then the camera has stopped sending
 constexpr auto kPatience = std::chrono::seconds(1);
+/// Between looks for a picture: what a stamp may be late by
 constexpr auto kLookAgain = std::chrono::milliseconds(2);
+/// Pictures in the ring: 0.2 s at 20 Hz, the camera's fastest at 1024 x 768
 constexpr unsigned kBuffers = 4;
+/// The only mode that sends both eyes, byte by byte (libdc1394, Bumblebee-2)
 constexpr dc1394video_mode_t kMode = DC1394_VIDEO_MODE_FORMAT7_3;
 
 void must(dc1394error_t error, const char* what) {

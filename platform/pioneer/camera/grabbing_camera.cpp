@@ -7,8 +7,9 @@
 namespace striate::pioneer {
 namespace {
 
+/// A camera that was unplugged is back as soon as a hand can do it
 constexpr auto kOpenAgain = std::chrono::milliseconds(500);
-constexpr auto kLook = std::chrono::milliseconds(20);
+constexpr auto kLook = std::chrono::milliseconds(20);  // so soon is the end of the program noticed
 
 }  // namespace
 

@@ -7,9 +7,10 @@
 namespace striate::pioneer::picture_stream {
 namespace {
 
+/// First bytes of every packet; picture_stream.hpp
 constexpr std::array<std::uint8_t, 4> kMagic{'S', 'T', 'P', 'P'};
-constexpr double kMilli = 1e-3;
-constexpr double kMicro = 1e-6;
+constexpr double kMilli = 1e-3;  // units of the header: ms, and 1/1000 px
+constexpr double kMicro = 1e-6;  // units of the header: us and um
 
 std::uint32_t in_units(double value, double unit) {
   return static_cast<std::uint32_t>(std::lround(std::max(0.0, value) / unit));

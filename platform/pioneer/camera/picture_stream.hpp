@@ -18,8 +18,9 @@
 /// neither side needs the other's clock.
 namespace striate::pioneer::picture_stream {
 
-inline constexpr std::size_t kHeader = 44;
-inline constexpr std::size_t kAgeAt = 12;
+inline constexpr std::size_t kHeader = 44;  ///< bytes of the header above
+inline constexpr std::size_t kAgeAt = 12;   ///< where the age stands in it
+/// A header that promises more is junk; four times the Bumblebee-2's 1024
 inline constexpr int kWidest_px = 4096;
 
 /// @param frame with both pictures, of the same size; its stamp is sent.

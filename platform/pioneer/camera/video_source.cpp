@@ -12,7 +12,7 @@ namespace striate::pioneer {
 namespace {
 
 using Steady = std::chrono::steady_clock;
-constexpr double kUsualRate_hz = 10.0;
+constexpr double kUsualRate_hz = 10.0;  // for a file that does not say; the paper's cycle
 
 class VideoSource final : public FrameSource {
  public:

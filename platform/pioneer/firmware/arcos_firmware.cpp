@@ -11,10 +11,12 @@ using arcos::SipFlag;
 
 namespace {
 
+/// The longest packet takes 269 ms at 9600 baud (258 bytes of 10 bits)
 constexpr Duration kLongestPacket = std::chrono::milliseconds(280);
-constexpr std::uint16_t kNoEchoMm = 5000;
-constexpr double kTicksPerMm = 128.0;
-constexpr double kStandsMm_s = 5.0;
+constexpr std::uint16_t kNoEchoMm = 5000;  // what a real P3-DX tells where no echo returned
+constexpr double kTicksPerMm = 128.0;      // encoder ticks; TicksMM of a real P3-DX's CONFIGpac
+constexpr double kStandsMm_s = 5.0;        // slower than this, the SIP says that it stands (ours)
+/// Two turns of 16 discs: what waits longer has been fired again
 constexpr std::size_t kMostFreshReadings = 32;
 
 const RobotModel& model_of(const std::string& subclass) {
@@ -216,8 +218,8 @@ void ArcosFirmware::watch(TimePoint now) {
 }
 
 void ArcosFirmware::drive_by_joystick() {
-  constexpr double kMostMm_s = 400.0;
-  constexpr double kMostDeg_s = 50.0;
+  constexpr double kMostMm_s = 400.0;  // of a full joystick: a man's walk beside the robot (ours)
+  constexpr double kMostDeg_s = 50.0;  // of a full joystick: half of RotVelMax
   const arcos::Joystick& joystick = senses_.joystick;
   if (joystick_allowed_ && joystick.button1 && motors_on_) {
     wheels_.set_forward(kMostMm_s * (joystick.y - 512) / 512.0);

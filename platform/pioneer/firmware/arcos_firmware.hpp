@@ -18,8 +18,8 @@ struct FirmwareSettings {
   std::string name = "Striate";
   std::string subclass = "p3dx-sh";
   std::string serial = "SIM";  ///< with this some clients know that they may ask for a laser
-  int watchdog_ms = 2000;
-  int sip_cycle_ms = 100;
+  int watchdog_ms = 2000;      ///< WatchDog in a P3-DX's FLASH; ARCOS manual
+  int sip_cycle_ms = 100;      ///< SipCycle of a real P3-DX; ARCOS manual
 };
 
 /// What the body under the firmware feels and does.

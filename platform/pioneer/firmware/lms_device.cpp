@@ -3,9 +3,10 @@
 namespace striate::pioneer {
 namespace {
 
-constexpr std::uint8_t kTaken = 0x06;
-constexpr std::uint8_t kNotTaken = 0x15;
-constexpr std::uint8_t kStatus = 0x10;  ///< the laser is in order
+constexpr std::uint8_t kTaken = 0x06;     ///< byte before a reply; SICK LMS-200 telegrams
+constexpr std::uint8_t kNotTaken = 0x15;  ///< byte before a reply; SICK LMS-200 telegrams
+constexpr std::uint8_t kStatus = 0x10;    ///< the laser is in order
+/// Between scans: 371 bytes of one take 97 ms at 38400 baud
 constexpr Duration kTurn = std::chrono::milliseconds(100);
 
 }  // namespace

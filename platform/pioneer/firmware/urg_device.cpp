@@ -5,8 +5,9 @@
 namespace striate::pioneer {
 namespace {
 
+/// Between scans: URG-04LX, 600 rpm (SCAN of its PP reply)
 constexpr Duration kTurn = std::chrono::milliseconds(100);
-constexpr std::size_t kLongestLine = 64;
+constexpr std::size_t kLongestLine = 64;  // SCIP 2.0: data comes in lines of 64 characters
 
 }  // namespace
 

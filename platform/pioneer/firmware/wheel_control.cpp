@@ -6,10 +6,12 @@
 namespace striate::pioneer {
 namespace {
 
+/// TransAccTop of a real P3-DX: no deceleration that it takes is harder
 constexpr double kEmergencyMm_s2 = 2000.0;
+/// Twice RotAccTop of a real P3-DX, 300: turning ends with the driving (ours)
 constexpr double kEmergencyDeg_s2 = 600.0;
-constexpr double kThereMm = 1.0;
-constexpr double kThereDeg = 0.3;
+constexpr double kThereMm = 1.0;   // a MOVE is done: the resolution of a SIP's position
+constexpr double kThereDeg = 0.3;  // a HEAD is done: three steps of a SIP's heading (0.088 deg)
 
 double ramp(double now, double wanted, double up, double down) {
   // Speeding up is away from standing; changing sign passes through standing first.

@@ -9,12 +9,12 @@ namespace striate::pioneer {
 class WheelControl {
  public:
   struct Limits {
-    double forward_mm_s = 750.0;
-    double turn_deg_s = 100.0;
-    double acceleration_mm_s2 = 300.0;
-    double deceleration_mm_s2 = 300.0;
-    double turn_acceleration_deg_s2 = 100.0;
-    double turn_deceleration_deg_s2 = 100.0;
+    double forward_mm_s = 750.0;              ///< TransVelMax in FLASH; ARCOS manual
+    double turn_deg_s = 100.0;                ///< RotVelMax in FLASH; ARCOS manual
+    double acceleration_mm_s2 = 300.0;        ///< TransAcc in FLASH; ARCOS manual
+    double deceleration_mm_s2 = 300.0;        ///< TransDecel in FLASH; ARCOS manual
+    double turn_acceleration_deg_s2 = 100.0;  ///< RotAcc in FLASH; ARCOS manual
+    double turn_deceleration_deg_s2 = 100.0;  ///< RotDecel in FLASH; ARCOS manual
   };
 
   void set_forward(double mm_s);

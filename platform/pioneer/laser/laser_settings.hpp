@@ -9,10 +9,10 @@ enum class LaserKind { hokuyo, lms200 };
 /// What both kinds of laser need to know.
 struct LaserSettings {
   LaserKind kind = LaserKind::hokuyo;
-  double forward_m = 0.021;
-  double reply_patience_s = 0.5;
-  double stale_after_s = 0.5;
-  double begin_again_after_s = 1.0;
+  double forward_m = 0.021;          ///< mount of an LMS-200 on a P3-DX (ARIA's p3dx-sh.p)
+  double reply_patience_s = 0.5;     ///< five scans: a reply waits behind one that is being sent
+  double stale_after_s = 0.5;        ///< five scans missed at 10 Hz; as the safety gate's
+  double begin_again_after_s = 1.0;  ///< ten scans missed at 10 Hz
 };
 
 template <class V>

@@ -7,11 +7,13 @@
 namespace striate::pioneer::lms200 {
 namespace {
 
-constexpr std::uint8_t kStart = 0x02;
-constexpr std::uint8_t kTaken = 0x06;
-constexpr std::uint8_t kNotTaken = 0x15;
-constexpr std::uint8_t kScan = 0xb0;
+constexpr std::uint8_t kStart = 0x02;     // STX, first byte of a telegram; SICK LMS-200 telegrams
+constexpr std::uint8_t kTaken = 0x06;     // ACK before a reply; SICK LMS-200 telegrams
+constexpr std::uint8_t kNotTaken = 0x15;  // NAK before a reply; SICK LMS-200 telegrams
+constexpr std::uint8_t kScan = 0xb0;      // reply: measured values; SICK LMS-200 telegrams, B0
+/// Low 13 bits of a value are the range; SICK LMS-200 telegrams, B0
 constexpr unsigned kRangeBits = 0x1fffU;
+/// Of 13 bits, the last nine are codes (dazzled, no echo); SICK LMS-200 telegrams
 constexpr unsigned kFirstError = 0x1ff7U;
 
 }  // namespace
@@ -106,7 +108,9 @@ Bytes install_mode() {
 Bytes set_millimetres() {
   Bytes data(33, 0);
   data[0] = 0x77;
+  // Where it stands in the configuration; SICK LMS-200 telegrams, 77
   constexpr std::size_t kStopThreshold = 3;
+  // Where it stands in the configuration, 1: mm; SICK LMS-200 telegrams, 77
   constexpr std::size_t kUnit = 7;
   data[kStopThreshold] = 0x46;  // the factory's
   data[6] = 5;                  // the factory's field of measured values: plain ranges
@@ -135,6 +139,7 @@ std::optional<Scan> read_scan(const Telegram& telegram) {
   const std::size_t count = head & 0x3ffU;
   const unsigned unit = head >> 14U;
   if (reader.left() < 2 * count || unit > 2) return std::nullopt;
+  // By bits 14 and 15 of the count: cm, mm, dm; SICK LMS-200 telegrams, B0
   constexpr double kUnits_m[] = {0.01, 0.001, 0.1};
   Scan scan;
   scan.ranges_m.reserve(count);

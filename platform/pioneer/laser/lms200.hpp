@@ -9,7 +9,8 @@
 /// one byte says 06 (taken) or 15 (not taken).
 namespace striate::pioneer::lms200 {
 
-inline constexpr std::uint8_t kToLaser = 0x00;
+inline constexpr std::uint8_t kToLaser = 0x00;  ///< address of the laser; SICK LMS-200 telegrams
+/// Address of what comes from it; SICK LMS-200 telegrams
 inline constexpr std::uint8_t kFromLaser = 0x80;
 inline constexpr std::size_t kMostData = 1200;  ///< a scan of 401 values is 806
 

@@ -5,12 +5,14 @@
 namespace striate::pioneer {
 namespace {
 
-constexpr std::uint8_t kDone = 0xa0;
+constexpr std::uint8_t kDone = 0xa0;  // reply to 20: operating mode; SICK LMS-200 telegrams
+/// Reply to 3B: field and resolution; SICK LMS-200 telegrams
 constexpr std::uint8_t kVariantSet = 0xbb;
-constexpr std::uint8_t kConfigured = 0xf7;
+constexpr std::uint8_t kConfigured = 0xf7;  // reply to 77: configuration; SICK LMS-200 telegrams
 /// The mirror turns 75 times a second and sees half of each turn; a scan of 181 values takes 94 ms
 /// at 38400 baud, and is as old when its last byte comes.
 constexpr Duration kScanAge = std::chrono::milliseconds(100);
+/// A scan of 401 values, 812 bytes, takes 211 ms at 38400 baud
 constexpr Duration kLongestTelegram = std::chrono::milliseconds(500);
 
 }  // namespace

@@ -12,8 +12,8 @@ namespace {
 
 /// More than any device sends before an empty line: then it is no reply.
 constexpr std::size_t kLongestReply = 1 << 14;
-constexpr std::size_t kDataLine = 64;
-constexpr int kTimeCharacters = 4;
+constexpr std::size_t kDataLine = 64;  // SCIP 2.0: data comes in lines of 64 characters
+constexpr int kTimeCharacters = 4;     // SCIP 2.0: 24 bits of time, 6 a character
 
 bool all_digits(const std::string& text) {
   return std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });

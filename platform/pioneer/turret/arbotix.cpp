@@ -5,7 +5,7 @@
 namespace striate::pioneer::arbotix {
 namespace {
 
-constexpr std::uint8_t kStart = 0xff;
+constexpr std::uint8_t kStart = 0xff;  // first byte of a command; ArbotiX CommEXT
 
 /// @param six the bytes between start and sum
 std::uint8_t sum_of(ByteView six) {

@@ -21,7 +21,7 @@ struct HeadCommand {
   friend bool operator==(const HeadCommand&, const HeadCommand&) = default;
 };
 
-inline constexpr std::size_t kSize = 8;
+inline constexpr std::size_t kSize = 8;  ///< bytes of a command; ArbotiX CommEXT
 [[nodiscard]] Bytes encode(const HeadCommand& command, Order order = Order::pan_first);
 
 /// Finds commands in a stream; any split gives the same ones.

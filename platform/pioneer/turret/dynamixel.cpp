@@ -8,12 +8,15 @@
 namespace striate::pioneer::dynamixel {
 namespace {
 
-constexpr std::uint8_t kStart = 0xff;
+constexpr std::uint8_t kStart = 0xff;  // first two bytes of a packet; Dynamixel protocol 1.0
+/// Length, parameters + 2, is a byte, and 255 and 254 are ids; Dynamixel protocol 1.0
 constexpr std::size_t kMostParameters = 250;
+/// AX-12A control table: 0 .. 1023 is 0 .. 300 deg
 constexpr double kTickRad = 300.0 / 1023.0 * std::numbers::pi / 180.0;
+/// AX-12A control table, moving speed: 0.111 rpm a step
 constexpr double kSpeedTickRad_s = 0.111 * 2.0 * std::numbers::pi / 60.0;
-constexpr double kMiddle = 512.0;
-constexpr double kMostTicks = 1023.0;
+constexpr double kMiddle = 512.0;      // AX-12A control table: tick that looks straight ahead
+constexpr double kMostTicks = 1023.0;  // AX-12A control table: ten bits of position or speed
 
 std::uint8_t sum_of(ByteView body) {
   unsigned sum = 0;

@@ -48,6 +48,7 @@ struct Error {
   static constexpr std::uint8_t instruction = 1U << 6;
 };
 
+/// Id of all servos, none of which answers; Dynamixel protocol 1.0
 inline constexpr std::uint8_t kBroadcast = 0xfe;
 
 struct Packet {

@@ -12,9 +12,12 @@ namespace {
 
 /// Position, speed, load, voltage and temperature stand side by side.
 constexpr std::uint8_t kStateSize = 8;
+/// 2 deg, seven steps of the encoder: a servo under load stops short of its goal (ours)
 constexpr double kThereRad = 0.035;
-constexpr double kProgressRad = 0.015;  ///< three steps of the encoder
-constexpr std::uint16_t kFullTorque = 1023;
+/// Three steps of the encoder (0.293 deg): less is its jitter
+constexpr double kProgressRad = 0.015;
+constexpr std::uint16_t kFullTorque = 1023;  ///< AX-12A control table, torque limit: ten bits
+/// AX-12A control table, present load: bit 10 is the direction
 constexpr std::uint16_t kClockwiseLoad = 1U << 10;
 
 }  // namespace

@@ -10,14 +10,15 @@
 namespace striate::pioneer {
 
 struct TurretSettings {
-  int pan_id = 1;
-  int tilt_id = 2;
+  int pan_id = 1;   ///< as a PhantomX turret is delivered
+  int tilt_id = 2;  ///< as a PhantomX turret is delivered
+  /// A sixth of an AX-12A's 6.2 rad/s: a Bumblebee-2 is heavy for it
   double most_speed_rad_s = 1.0;
-  double most_pan_rad = 1.5;
-  double most_tilt_rad = 0.6;
-  double patience_s = 0.03;
-  int silent_after = 5;
-  double stuck_after_s = 1.0;
+  double most_pan_rad = 1.5;   ///< 86 deg, of the servo's 150: cables (ours)
+  double most_tilt_rad = 0.6;  ///< 34 deg: the turret's frame is in the way beyond (ours)
+  double patience_s = 0.03;    ///< two latencies of a USB adapter (16 ms for FTDI's)
+  int silent_after = 5;        ///< 0.15 s of patience
+  double stuck_after_s = 1.0;  ///< 60 deg of turning at most_speed (ours)
 };
 
 template <class V>

@@ -6,9 +6,11 @@
 namespace striate::simulator::render {
 namespace {
 
+/// Rays a patch, over the half space before it: time against grain (ours)
 constexpr int kDirections = 96;
+/// Each brings less than a wall's albedo of the one before: time against light (ours)
 constexpr int kBounces = 4;
-constexpr float kFar = 1e4F;
+constexpr float kFar = 1e4F;           ///< m: farther than any corridor
 constexpr float kNearWindow_m = 1.1F;  ///< reveals and frames look around instead
 constexpr int kDark = -1;              ///< the ray ended on something's back or on a lamp
 

@@ -9,25 +9,25 @@ namespace striate::simulator {
 /// The stereo head: optics, sensor and exposure control. Defaults: a small machine-vision pair
 /// behind 43 degree lenses, rectified.
 struct CameraSettings {
-  int width_px = 320;                ///< the picture is 4:3
-  double field_rad = radians(43.0);  ///< horizontal
-  double baseline_m = 0.12;
+  int width_px = 320;                ///< the picture is 4:3; twice the stereo's working width
+  double field_rad = radians(43.0);  ///< horizontal view of the paper's Bumblebee-2
+  double baseline_m = 0.12;          ///< of the paper's Bumblebee-2
   double height_above_floor_m = RobotDescription{}.camera_height_m;
   double forward_of_axle_m = RobotDescription{}.camera_forward_m;
 
   double gain_mismatch = 0.01;     ///< between left and right
   double rectification_px = 0.15;  ///< vertical error that is left, root mean square
-  double max_shutter_s = 0.033;
-  double max_gain = 16.0;
-  double full_well_e = 13000.0;  ///< electrons of a saturated pixel at gain 1
-  double read_noise_e = 9.0;
-  double non_uniformity = 0.008;  ///< of the pixels' sensitivity
-  double vignetting = 0.28;       ///< loss at the corner
-  double target_level = 0.17;     ///< mean of the picture, of full scale, that exposure seeks
-  double adaptation = 0.5;        ///< share of the way to the right exposure, each picture
-  double flicker = 0.01;          ///< of the lamps, root mean square
-  bool smooth_edges = true;       ///< three samples a pixel along edges
-  bool noise = true;              ///< shot and read noise, unevenness of the pixels
+  double max_shutter_s = 0.033;    ///< a frame at 30 Hz; real stereo heads
+  double max_gain = 16.0;          ///< 24 dB, as real stereo heads have
+  double full_well_e = 13000.0;    ///< electrons of a saturated pixel at gain 1
+  double read_noise_e = 9.0;       ///< electrons; as real stereo heads have
+  double non_uniformity = 0.008;   ///< of the pixels' sensitivity
+  double vignetting = 0.28;        ///< loss at the corner
+  double target_level = 0.17;      ///< mean of the picture, of full scale, that exposure seeks
+  double adaptation = 0.5;         ///< share of the way to the right exposure, each picture
+  double flicker = 0.01;           ///< of the lamps, root mean square
+  bool smooth_edges = true;        ///< three samples a pixel along edges
+  bool noise = true;               ///< shot and read noise, unevenness of the pixels
 
   [[nodiscard]] int height_px() const { return width_px * 3 / 4; }
 };

@@ -8,8 +8,9 @@
 namespace striate::simulator::render {
 namespace {
 
-constexpr int kTones = 4096;
-constexpr int kLanes = Demosaic::kSlack;
+constexpr int kTones =
+    4096;  // 12 bits of light before the tone curve makes 8 of them, as a sensor's converter gives
+constexpr int kLanes = Demosaic::kSlack;  // pixels at a time
 
 std::vector<std::uint8_t> tone_curve() {
   std::vector<std::uint8_t> curve(kTones);

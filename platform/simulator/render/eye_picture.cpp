@@ -3,8 +3,9 @@
 namespace striate::simulator::render {
 namespace {
 
+/// Nothing comes nearer to the eyes: they stand 0.2 m within the robot's outline
 constexpr float kNear_m = 0.03F;
-constexpr float kFar_m = 300.0F;
+constexpr float kFar_m = 300.0F;  // farther than any corridor is long
 
 std::size_t at(int i) {
   return static_cast<std::size_t>(i);
@@ -175,7 +176,9 @@ std::vector<int> EyePicture::edges(const View& view) {
 
 /// Eight pixels, each with two rays more beside the one it has.
 void EyePicture::resample(const View& view, const std::vector<int>& pixels, std::size_t first) {
+  // Of a pixel: with the ray in the middle, thirds of it across
   static constexpr std::array<float, 2> kU{-0.33F, 0.33F};
+  // Of a pixel: with the ray in the middle, a third of it down
   static constexpr std::array<float, 2> kV{-0.17F, 0.17F};
   const std::size_t count = std::min<std::size_t>(8, pixels.size() - first);
   Packet packet;

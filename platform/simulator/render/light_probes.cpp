@@ -3,8 +3,9 @@
 namespace striate::simulator::render {
 namespace {
 
-constexpr int kDirections = 96;
-constexpr std::array<float, 3> kHeight_m{0.15F, 0.95F, 1.75F};
+constexpr int kDirections = 96;                                 // rays a probe; as baked_light.cpp
+constexpr std::array<float, 3> kHeight_m{0.15F, 0.95F, 1.75F};  // a person's feet, hips and head
+/// The six sides that a probe is lit from
 constexpr std::array<Vec3, 6> kAxis{
     {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}}};
 

@@ -34,7 +34,7 @@ namespace striate::simulator::render {
 /// Quantiles of the normal distribution: a hash indexes it.
 class GaussTable {
  public:
-  static constexpr std::uint32_t kBits = 12;
+  static constexpr std::uint32_t kBits = 12;  ///< 4096 quantiles: the outermost is at 3.7 sigma
   GaussTable() {
     for (std::size_t i = 0; i < value_.size(); ++i) {
       value_[i] = static_cast<float>(quantile((static_cast<double>(i) + 0.5) / 4096.0));

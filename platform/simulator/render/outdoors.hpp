@@ -14,9 +14,9 @@ class Outdoors {
   [[nodiscard]] V4 operator()(Vec3 direction) const;
 
  private:
-  static constexpr int kWidth = 512;   ///< azimuth, all around
-  static constexpr int kHeight = 128;  ///< by rise over distance, -1 .. 1
-  static constexpr float kHalfHeight = kHeight * 0.5F;
+  static constexpr int kWidth = 512;                    ///< azimuth, all around
+  static constexpr int kHeight = 128;                   ///< by rise over distance, -1 .. 1
+  static constexpr float kHalfHeight = kHeight * 0.5F;  ///< rows above and below the horizon
   std::vector<V4> map_;
 };
 

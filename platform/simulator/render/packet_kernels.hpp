@@ -11,7 +11,7 @@
 /// are bit for bit those of the plain code named beside each.
 namespace striate::simulator::render {
 
-inline constexpr int kPacket = 16;
+inline constexpr int kPacket = 16;  ///< rays: Embree's widest packet
 
 /// A texture as the rays that meet one patch see it.
 struct PacketTexture {

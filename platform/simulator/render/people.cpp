@@ -204,6 +204,7 @@ People::People(Materials& materials) : materials_(materials) {
     float height;
     bool sleeves;
   };
+  // As varied as people in a corridor (ours)
   static constexpr Clothes kWardrobe[kLooks] = {
       {"stripes_red", "cloth_navy", "paint_white", "skin", "hair_grey", 1.0F, true},
       {"cloth_navy", "cloth_beige", "paint_black", "skin", "hair", 1.02F, true},

@@ -4,7 +4,7 @@
 namespace striate::simulator::render {
 namespace {
 
-constexpr int kMargin = Demosaic::kMargin;
+constexpr int kMargin = Demosaic::kMargin;  // px around the mosaic that the demosaicing reads
 /// Quantum efficiency behind the blue, green and red filter, relative to green.
 constexpr std::array<float, 3> kFilter{0.62F, 1.0F, 0.72F};
 /// Red and green on even rows, green and blue on odd ones: colour at (x, y).
@@ -91,6 +91,7 @@ cv::Mat3b Sensor::expose(const std::vector<V4>& light, const Exposure& exposure,
 /// A lens is not sharper than the pixels: a cross-shaped point spread, which also keeps colours
 /// from fringing in the mosaic. The border is not blurred.
 void Sensor::blur_by_lens(const std::vector<V4>& light) {
+  // Of a pixel's light to each of four neighbours: a lens no sharper than the pixels (ours)
   constexpr float kSpread = 0.09F;
   lens_.resize(light.size());
   for (int y = 0; y < height_; ++y) {

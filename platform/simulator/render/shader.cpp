@@ -64,6 +64,7 @@ bool Shader::people_near(const Packet& packet) const {
   }
   for (const Occluder& person : people_.occluders()) {
     const Vec3 p = person.foot;
+    // How far from a person's foot the floor is darkened
     constexpr float kReach_m = Occluder::kReach_m;
     if (p.x > low_x - kReach_m && p.x < high_x + kReach_m && p.y > low_y - kReach_m &&
         p.y < high_y + kReach_m) {

@@ -15,7 +15,7 @@ struct Shaded {
 /// Turns hits into light: texture, baked light, sun, and people's contact shadows.
 class Shader {
  public:
-  static constexpr int kNothing = -1000000;
+  static constexpr int kNothing = -1000000;  ///< no material and no face has this number
 
   Shader(const Stage& stage, const BakedLight& baked, const People& people, const Tracer& tracer)
       : stage_(stage), baked_(baked), people_(people), tracer_(tracer) {}

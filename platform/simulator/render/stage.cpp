@@ -8,7 +8,9 @@ namespace {
 /// Outdoors is some fifty times brighter than an office; tinted panes and a camera that would be
 /// blinded either way allow less.
 constexpr float kSunIrradiance = 9.0F;
+/// Irradiance through a window, where a lamp's floor has about 1
 constexpr float kOvercastSky = 1.0F;
+/// Irradiance through a window, where a lamp's floor has about 1 (ours)
 constexpr float kClearSky = 3.5F;
 constexpr float kPiece_m = 4.0F;  ///< floor and ceiling are laid in pieces of at most this
 
@@ -85,9 +87,9 @@ void add_floor_and_ceiling(PatchList& patches, const World& world, const FloorPl
 
 void add_lamps(PatchList& patches, std::vector<Lamp>& lamps, const World& world,
                const FloorPlan& plan) {
-  constexpr float kHalfLength_m = 0.6F;
-  constexpr float kHalfWidth_m = 0.15F;
-  constexpr float kExitance = 36.0F;  // measured: about 1.0 on the floor with one panel each 4 m
+  constexpr float kHalfLength_m = 0.6F;  // of a fluorescent panel, 1.2 m as 36 W tubes are
+  constexpr float kHalfWidth_m = 0.15F;  // of a fluorescent panel of 0.3 m
+  constexpr float kExitance = 36.0F;     // measured: about 1.0 on the floor with one panel each 4 m
   const int housing = patches.materials().find("paint_white", "lamp");
   patches.set_spacing(0.4F);
   for (const LightRow& row : world.lights) {

@@ -6,6 +6,7 @@
 namespace striate::simulator::render {
 namespace {
 
+/// Between places where light is baked: contact shadows on a thing show (ours)
 constexpr float kThingSpacing_m = 0.09F;
 
 Stand stand_of(Point2 at, double turn_rad, const FloorPlan& plan, double height_m = 0.0) {
@@ -90,7 +91,7 @@ void add_leaf(PatchList& patches, const Stand& stand, Half h, float pot, std::ui
   const float c = std::cos(turn);
   const float s = std::sin(turn);
   const float wide = 0.035F + 0.02F * uniform(mix(id, 3));
-  constexpr int kPieces = 4;
+  constexpr int kPieces = 4;                 // of a leaf's arch: enough to look bent (ours)
   const auto rib = [&](int i, float side) {  // along an arch, narrow at both ends
     const float a = static_cast<float>(i) / kPieces;
     const float out = reach * a;
@@ -121,6 +122,7 @@ void add_plant(PatchList& patches, const Stand& stand, Half h) {
 }  // namespace
 
 void add_obstacle(PatchList& patches, const WorldObstacle& obstacle, const FloorPlan& plan) {
+  // Material of each kind of obstacle, in the order of ObstacleKind
   static constexpr const char* kOwn[] = {"wood",      "cloth_blue", "cardboard", "styrofoam",
                                          "dark_wood", "paint_red",  "leaf",      "paint_black"};
   const Stand stand = stand_of(obstacle.at, obstacle.turn_rad, plan);
@@ -180,7 +182,7 @@ void add_pillar(PatchList& patches, const Pillar& pillar, const World& world,
   const int material = patches.materials().find("plaster", "pillar");
   const auto top = static_cast<float>(world.height_m);
   const float r = static_cast<float>(pillar.diameter_m) / 2.0F;
-  constexpr int kSides = 28;
+  constexpr int kSides = 28;  // of a pillar: its outline errs by 0.6 % of the radius
   patches.set_spacing(0.12F);
   patches.column(
       stand,
@@ -193,6 +195,7 @@ void add_pillar(PatchList& patches, const Pillar& pillar, const World& world,
 }
 
 void add_door(PatchList& patches, const Stand& wall, float middle_m, const Door& door, int number) {
+  // Materials of door leaves, in turn
   static constexpr const char* kLeaves[] = {"door_wood", "door_wood", "dark_wood", "door_wood",
                                             "paint_blue"};
   const int leaf = patches.materials().find(kLeaves[number % 5], "door");

@@ -3,12 +3,13 @@
 namespace striate::simulator::render {
 namespace {
 
-constexpr float kSkirting_m = 0.09F;
-constexpr float kSill_m = 0.95F;
-constexpr float kLintel_m = 2.2F;
-constexpr float kWindow_m = 1.3F;
-constexpr float kPier_m = 0.75F;  ///< of wall between two windows of a row
-constexpr float kReveal_m = 0.18F;
+constexpr float kSkirting_m = 0.09F;  ///< height of a skirting board
+constexpr float kSill_m = 0.95F;      ///< height of a window's sill; below it a wall is seen
+constexpr float kLintel_m = 2.2F;     ///< height of a window's upper edge; a door's is 2.05 m
+constexpr float kWindow_m = 1.3F;     ///< width of a window in a row
+constexpr float kPier_m = 0.75F;      ///< of wall between two windows of a row
+constexpr float kReveal_m = 0.18F;    ///< depth of a window in its wall (ours)
+/// Walls are laid in pieces of at most this, for baked light and culling
 constexpr float kPiece_m = 5.0F;
 
 struct Span {
@@ -174,7 +175,7 @@ void add_skirting(PatchList& patches, const Wall& wall, const std::vector<Span>&
   patches.set_spacing(0.3F);
   const auto piece = [&](Span x) {
     if (x.to - x.from < 0.02F) return;
-    constexpr float kThick_m = 0.012F;
+    constexpr float kThick_m = 0.012F;  // of a skirting board
     patches.next_group();
     wall.long_face(patches, x, {0.0F, kSkirting_m}, material, kThick_m);
     patches.next_group();

@@ -45,7 +45,7 @@ Texture::Texture(const cv::Mat3b& picture)
 }
 
 void Texture::keep_level(const cv::Mat3f& linear) {
-  constexpr int kTile = 4;
+  constexpr int kTile = 4;  // texels a side: a tile of 16 in 4 bytes is a line of the cache
   const int tiles_across = (linear.cols + kTile - 1) / kTile;
   const int tiles_down = (linear.rows + kTile - 1) / kTile;
   const int row_of_tiles = tiles_across * kTile * kTile;

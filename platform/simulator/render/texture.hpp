@@ -17,6 +17,7 @@ class Texture {
   /// powers of two, at most `kMaxSide`.
   explicit Texture(const cv::Mat3b& picture);
 
+  /// Texels: 2 mm on a poster of 2 m, a pixel of width 320 seen 0.8 m away
   static constexpr int kMaxSide = 1024;
 
   [[nodiscard]] int width() const { return width_; }

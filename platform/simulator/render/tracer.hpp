@@ -12,7 +12,7 @@ namespace striate::simulator::render {
 
 /// Sixteen rays at once, as Embree takes them.
 struct alignas(64) Packet {
-  static constexpr unsigned kSize = 16;
+  static constexpr unsigned kSize = 16;  ///< rays: Embree's widest packet
   RTCRayHit16 rays;
   std::array<int, kSize> valid{};  ///< -1 for a ray to be traced, 0 for an empty lane
 

@@ -44,7 +44,8 @@ class ThroughRos : public testing::Test {
     folder.reset();
   }
   void SetUp() override {
-    if (!master) GTEST_SKIP() << "rosmaster is missing: apt-get install python3-rosmaster";
+    ASSERT_TRUE(master) << "rosmaster is missing: apt-get install python3-rosmaster, or build "
+                           "without ROS: -DSTRIATE_ROS=OFF";
   }
 
   static std::unique_ptr<Program> serve(const std::string& world) {

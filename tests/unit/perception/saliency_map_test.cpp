@@ -5,6 +5,7 @@
 
 #include "perception/saliency/saliency.hpp"
 #include "tests/reference/saliency_reference.hpp"
+#include "tests/reference/stereo_pairs.hpp"
 #include "tests/unit/perception/obstacles_synthetic_room.hpp"
 
 namespace striate {
@@ -63,12 +64,18 @@ TEST(Saliency, AgreesWithTheDirectSumOfThePaper) {
   expect_close_to_reference(scene(), synthetic::empty_map());
 }
 
-TEST(Saliency, AgreesWithTheDirectSumOnARealPicture) {
-  const std::string file = STRIATE_SHARED_DATA "/stereo/motorcycle/left.png";
-  cv::Mat3b picture = cv::imread(file);
-  if (picture.empty()) GTEST_SKIP() << "public test data is missing: " << file;
-  cv::resize(picture, picture, {160, 120}, 0, 0, cv::INTER_AREA);
-  expect_close_to_reference(picture, synthetic::empty_map());
+TEST(Saliency, AgreesWithTheDirectSumOnPicturesOfRoomsAndAPhotograph) {
+  std::vector<cv::Mat3b> pictures;
+  for (const std::uint64_t seed : {1, 2}) {
+    pictures.push_back(reference::PaintedRoom(seed).paint().left);
+  }
+  const std::string photograph =
+      reference::shared_data(STRIATE_SHARED_DATA) + "/stereo/motorcycle/left.png";
+  if (std::filesystem::exists(photograph)) pictures.push_back(cv::imread(photograph));
+  for (cv::Mat3b& picture : pictures) {
+    cv::resize(picture, picture, {160, 120}, 0, 0, cv::INTER_AREA);
+    expect_close_to_reference(picture, synthetic::empty_map());
+  }
 }
 
 TEST(Saliency, PointsAtTheColouredPatchMostSalientFirst) {

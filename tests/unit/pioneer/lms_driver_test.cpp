@@ -68,18 +68,19 @@ TEST(LmsDriver, ScansWithAWrongCrcAreNotTaken) {
 }
 
 TEST(LmsDevice, AnswersTheRecordedClient) {
-  const auto file = reference::captures_folder(STRIATE_SHARED_DATA) / "aria_lms200_tcp.hex";
-  if (!std::filesystem::exists(file)) GTEST_SKIP() << "no captures below " STRIATE_SHARED_DATA;
-  LmsDevice device;
-  for (const auto& chunk : reference::read_capture(file)) {
-    if (chunk.direction == "H>L") device.receive(chunk.bytes);
+  for (const auto& file : reference::lms_captures()) {
+    SCOPED_TRACE(file);
+    LmsDevice device;
+    for (const auto& chunk : reference::read_capture(file)) {
+      if (chunk.direction == "H>L") device.receive(chunk.bytes);
+    }
+    lms200::TelegramStream stream;
+    stream.push(device.take_output());
+    std::vector<int> kinds;
+    while (const auto telegram = stream.next()) kinds.push_back(telegram->data[0]);
+    EXPECT_EQ(kinds, (std::vector<int>{0x91, 0xbb, 0xa0, 0xf7, 0xa0}));
+    EXPECT_EQ(stream.counters().acknowledged, 5u);
   }
-  lms200::TelegramStream stream;
-  stream.push(device.take_output());
-  std::vector<int> kinds;
-  while (const auto telegram = stream.next()) kinds.push_back(telegram->data[0]);
-  EXPECT_EQ(kinds, (std::vector<int>{0x91, 0xbb, 0xa0, 0xf7, 0xa0}));
-  EXPECT_EQ(stream.counters().acknowledged, 5u);
 }
 
 }  // namespace

@@ -65,22 +65,23 @@ TEST(Dynamixel, RepliesTellTheirErrors) {
 }
 
 TEST(DynamixelCapture, DecodesInAnyChunkingAndWithAFlippedBit) {
-  const auto file = reference::captures_folder(STRIATE_SHARED_DATA) / "dynamixelsdk_ax12.hex";
-  if (!std::filesystem::exists(file)) GTEST_SKIP() << "no captures below " STRIATE_SHARED_DATA;
-  const auto chunks = reference::read_capture(file);
-  for (const char* way : {"H>S", "S>H"}) {
-    const Bytes bytes = reference::one_way(chunks, way);
-    const auto all = decode(bytes, bytes.size());
-    EXPECT_EQ(all.size(), std::string(way) == "H>S" ? 40u : 37u);
-    for (std::size_t chunk = 1; chunk < 20; ++chunk) EXPECT_EQ(decode(bytes, chunk), all);
-    Bytes again;
-    for (const auto& packet : all) append(again, dynamixel::encode(packet));
-    EXPECT_EQ(again, bytes);
-    for (std::size_t bit = 0; bit < 8 * bytes.size(); ++bit) {
-      Bytes flipped = bytes;
-      flipped[bit / 8] ^= static_cast<std::uint8_t>(1U << (bit % 8));
-      const auto fewer = decode(flipped, 64);
-      EXPECT_GE(fewer.size() + 1, all.size()) << way << bit;
+  for (const auto& file : reference::servo_captures()) {
+    SCOPED_TRACE(file);
+    const auto chunks = reference::read_capture(file);
+    for (const char* way : {"H>S", "S>H"}) {
+      const Bytes bytes = reference::one_way(chunks, way);
+      const auto all = decode(bytes, bytes.size());
+      EXPECT_EQ(all.size(), std::string(way) == "H>S" ? 40u : 37u);
+      for (std::size_t chunk = 1; chunk < 20; ++chunk) EXPECT_EQ(decode(bytes, chunk), all);
+      Bytes again;
+      for (const auto& packet : all) append(again, dynamixel::encode(packet));
+      EXPECT_EQ(again, bytes);
+      for (std::size_t bit = 0; bit < 8 * bytes.size(); ++bit) {
+        Bytes flipped = bytes;
+        flipped[bit / 8] ^= static_cast<std::uint8_t>(1U << (bit % 8));
+        const auto fewer = decode(flipped, 64);
+        EXPECT_GE(fewer.size() + 1, all.size()) << way << bit;
+      }
     }
   }
 }

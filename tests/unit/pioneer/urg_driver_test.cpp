@@ -90,31 +90,32 @@ TEST(UrgDriver, SwitchesTheLaserOffAtTheEnd) {
 }
 
 TEST(UrgDevice, AnswersTheRecordedClient) {
-  const auto file = reference::captures_folder(STRIATE_SHARED_DATA) / "aria_urg20_scip_tcp.hex";
-  if (!std::filesystem::exists(file)) GTEST_SKIP() << "no captures below " STRIATE_SHARED_DATA;
-  UrgDevice device;
-  scip::ReplyStream stream;
-  TimePoint now;
-  for (const auto& chunk : reference::read_capture(file)) {
-    if (chunk.direction == "H>L") device.receive(chunk.bytes);
+  for (const auto& file : reference::urg_captures()) {
+    SCOPED_TRACE(file);
+    UrgDevice device;
+    scip::ReplyStream stream;
+    TimePoint now;
+    for (const auto& chunk : reference::read_capture(file)) {
+      if (chunk.direction == "H>L") device.receive(chunk.bytes);
+      stream.push(device.take_output());
+    }
+    for (int i = 0; i < 100; ++i) {
+      now += std::chrono::milliseconds(10);
+      device.step(now, std::vector<int>(device.rays(), 1500));
+    }
     stream.push(device.take_output());
+    int scans = 0, refused = 0;
+    while (const auto reply = stream.next()) {
+      if (reply->status == "0E") ++refused;
+      const auto scan = scip::read_scan(*reply, device.parameters());
+      if (!scan) continue;
+      EXPECT_EQ(scan->rays.size(), 228u);
+      ++scans;
+    }
+    EXPECT_EQ(refused, 0);
+    EXPECT_NEAR(scans, 10, 1);
+    EXPECT_EQ(stream.counters().bad_sum, 0u);
   }
-  for (int i = 0; i < 100; ++i) {
-    now += std::chrono::milliseconds(10);
-    device.step(now, std::vector<int>(device.rays(), 1500));
-  }
-  stream.push(device.take_output());
-  int scans = 0, refused = 0;
-  while (const auto reply = stream.next()) {
-    if (reply->status == "0E") ++refused;
-    const auto scan = scip::read_scan(*reply, device.parameters());
-    if (!scan) continue;
-    EXPECT_EQ(scan->rays.size(), 228u);
-    ++scans;
-  }
-  EXPECT_EQ(refused, 0);
-  EXPECT_NEAR(scans, 10, 1);
-  EXPECT_EQ(stream.counters().bad_sum, 0u);
 }
 
 }  // namespace
