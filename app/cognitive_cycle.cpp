@@ -2,7 +2,32 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 namespace striate {
+namespace {
+
+PerceptionExtras extras_for(const CycleExtras& extras, const Robot& robot) {
+  PerceptionExtras perception{{}, &robot.clock(), extras.disparities};
+  if (extras.knowledge) perception.views = views_of(extras.knowledge->landmarks);
+  return perception;
+}
+
+FamiliarLandmarks landmarks_for(const CycleExtras& extras, const LongTermSettings& settings,
+                                const Task& task) {
+  if (!extras.knowledge) return {};
+  // One at a time can be sought: the first that the task needs.
+  const std::string sought = task.landmarks.empty() ? std::string() : task.landmarks.front();
+  return {extras.knowledge->landmarks, settings, sought};
+}
+
+}  // namespace
+
+std::vector<std::string> MissionKnowledge::names() const {
+  std::vector<std::string> names;
+  for (const LandmarkModel& model : landmarks.landmarks) names.push_back(model.record.name);
+  return names;
+}
 
 std::string doing_text(const ShortText& why, LimitReason limited_by) {
   std::string doing(why.view());
@@ -12,75 +37,68 @@ std::string doing_text(const ShortText& why, LimitReason limited_by) {
   return doing;
 }
 
-CognitiveCycle::CognitiveCycle(Robot& robot, const RobotSettings& settings, Executive& executive)
+CognitiveCycle::CognitiveCycle(Robot& robot, const RobotSettings& settings, Executive& executive,
+                               const CycleExtras& extras)
     : robot_(robot),
       executive_(executive),
-      perception_(settings.perception, robot.description()),
+      perception_(settings.perception, robot.description(), extras_for(extras, robot)),
       memory_(settings.memory, robot.description()),
+      landmarks_(landmarks_for(extras, settings.long_term_memory, executive.task())),
       limiter_(settings.safety, robot.description()) {
-  perception_.landmarks().set_clock(&robot.clock());
+  if (extras.knowledge && extras.knowledge->places) memory_.know_places(*extras.knowledge->places);
 }
 
 CognitiveCycle::~CognitiveCycle() {
   robot_.stop();
 }
 
-/// Object models are defined in perception, kept by memory, and handed in here.
-void CognitiveCycle::know(FamiliarLandmarks landmarks) {
-  landmarks_ = std::move(landmarks);
-  landmarks_.hand_over(perception_.landmarks());
-}
-
-/// One cycle of the robot: from light to motion.
+/// One cycle of the robot, from light to motion. Each step takes what the steps above it made.
 bool CognitiveCycle::step() {
   if (!robot_.sense(trace_.senses)) return false;
-  see();
-  remember();
-  want();
-  move();
-  return !executive_.ended();
-}
+  const Senses& senses = trace_.senses;
+  const StereoFrame& picture = senses.stereo;
 
-/// V1 -> stereo -> obstacles, motion, corridor, saliency, keypoints, recognition of landmarks,
-/// where memory guides the eye. A picture is looked at once.
-void CognitiveCycle::see() {
-  odometry_.add(trace_.senses.odometry.stamp, trace_.senses.odometry.pose);
-  const StereoFrame& picture = trace_.senses.stereo;
+  // See: V1 -> stereo -> obstacles, motion, corridor, saliency, keypoints, recognition of
+  // landmarks, where memory guides the eye. A picture belongs to the place where it was taken; it
+  // is looked at once, and until the next one comes what was seen in it stands.
+  const Pose2 taken_at =
+      odometry_.add(senses.odometry.stamp, senses.odometry.pose).at(picture.stamp);
   const bool is_new = !picture.left.empty() && picture.stamp != trace_.percept.stamp;
-  if (!is_new) return;
-  const Pose2 base = odometry_.at(picture.stamp);
-  landmarks_.guide(memory_, base, perception_.landmarks());
-  trace_.percept = perception_.see(picture, base);
+  Percept percept =
+      is_new ? perception_.see(picture, taken_at, landmarks_.expectations(memory_, taken_at))
+             : std::move(trace_.percept);
+
+  // Recognise: landmarks get their names, and teach something to long-term memory.
+  static const Recognised kNothingNew;
+  const Recognised& recognised =
+      is_new ? landmarks_.recognised(percept, senses, memory_) : kNothingNew;
+
+  // Remember: what was seen is put where it was seen, moved by odometry; what is old fades.
+  const ShortTermMemory& memory = memory_.update(senses, percept, recognised.sightings);
+
+  // Want: the task script picks the behaviour, the behaviour says what it wants. A pilot goes
+  // before it, a guard before both.
+  const TaskDecision task = executive_.tick(memory, senses.now);
+  const Claim chosen = arbiter_.decide({task.claim, claim_of_pilot(senses.now)}, senses.now);
+
+  // Move: one gate to the motors; what was really sent is remembered.
+  const Limited sent = limiter_.limit(chosen.wish, senses, memory);
+  robot_.send(sent.command);
+  memory_.remember(sent.command, task.doing);
+
+  trace_.percept = std::move(percept);
+  trace_.sightings = recognised.sightings;
+  trace_.lessons = recognised.lessons;
+  trace_.wish = task.claim.wish;
+  trace_.driver = chosen.owner;
+  trace_.sent = sent.command;
+  trace_.limited_by = sent.reason;
+  return !task.ended;
 }
 
-/// What was seen is put where it was seen, moved by odometry; what is old fades. Landmarks get
-/// their names, and what they teach is noted.
-void CognitiveCycle::remember() {
-  memory_.update(trace_.senses, trace_.percept);
-  trace_.sightings = landmarks_.name(trace_.percept);
-  for (const LandmarkSighting& sighting : trace_.sightings) memory_.recognise(sighting);
-  trace_.lessons = landmarks_.learn(trace_.percept, memory_);
-}
-
-/// The task script picks the behaviour, the behaviour says what it wants. A pilot goes before it.
-void CognitiveCycle::want() {
-  trace_.wish = executive_.tick(memory_, trace_.senses.now);
-  if (executive_.owner() != MotorOwner::guard) arbiter_.release(MotorOwner::guard);
-  arbiter_.offer(executive_.owner(), trace_.wish);
-  arbiter_.release(MotorOwner::pilot);
-  if (!pilot_) return;
-  if (const std::optional<Wish> wish = pilot_(trace_.senses.now)) {
-    arbiter_.offer(MotorOwner::pilot, *wish);
-  }
-}
-
-/// One owner of the motors, one gate to them; what was really sent is remembered.
-void CognitiveCycle::move() {
-  const Wish wish = arbiter_.decide(trace_.senses.now);
-  trace_.sent = limiter_.limit(wish, trace_.senses, memory_);
-  trace_.limited_by = limiter_.reason();
-  robot_.send(trace_.sent);
-  memory_.remember(trace_.sent, executive_.current_action());
+Claim CognitiveCycle::claim_of_pilot(TimePoint now) const {
+  const std::optional<Wish> wish = pilot_ ? pilot_(now) : std::nullopt;
+  return wish ? Claim{MotorOwner::pilot, *wish} : Claim{};
 }
 
 }  // namespace striate

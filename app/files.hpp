@@ -8,15 +8,18 @@ namespace striate {
 /// All of a file. @throws UserError where it cannot be read
 [[nodiscard]] std::string read_file(const std::string& path);
 
-/// Writes beside the target and renames, so that no half-written result is ever seen.
+/// Writes beside the target and renames, so that no half-written result is ever seen; into a device
+/// or a pipe directly.
 /// @throws std::runtime_error saying which file and why.
 void write_file(const std::filesystem::path& path, const std::string& content);
 
 /// Makes the folder of a file that is to be written later, so that a long run does not fail at its
-/// last step. @throws UserError where nothing can be written there.
+/// last step. Every command asks so for each of its outputs before it begins. An empty path asks
+/// for nothing. @throws UserError where nothing can be written there.
 void check_writable(const std::string& path);
 
-/// Makes the folder and those above it. @throws UserError where it cannot be one
+/// Makes the folder and those above it, for files to be written later; an empty path asks for
+/// nothing. @throws UserError where it cannot be one, or where nothing can be written into it
 void make_folder(const std::filesystem::path& folder);
 
 /// A new folder among the machine's temporary ones that is gone in the end.

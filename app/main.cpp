@@ -1,9 +1,17 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
 #include <exception>
+#include <iostream>
 #include <opencv2/core/utility.hpp>
+#include <string>
+#include <vector>
 
+#include "app/command_line/mistakes.hpp"
+#include "app/command_line/old_names.hpp"
 #include "app/commands/commands.hpp"
 #include "config/user_error.hpp"
 
@@ -34,14 +42,33 @@ constexpr const char* kAbout =
 /// Last words of --help
 constexpr const char* kFooter =
     "\nExit codes: 0 success, 1 mission failed or something broke, 2 a mistake in what was given,\n"
-    "130 interrupted. 'striate COMMAND --help' explains each command.";
+    "130 interrupted. 'striate help COMMAND' explains each command.";
+
+/// Parses and runs the command. @returns false after having said what is wrong with the words.
+bool parse(CLI::App& app, std::vector<std::string> words) {
+  for (const std::string& note : striate::use_new_names(app, words)) {
+    fmt::print(stderr, "{}\n", note);
+  }
+  try {
+    app.parse(std::vector<std::string>(words.rbegin(), words.rend()));
+    return true;
+  } catch (const CLI::ParseError& error) {
+    const bool help = error.get_exit_code() == 0;
+    const std::string mistake = help ? striate::unknown_command(app, words)
+                                     : striate::command_line_mistake(app, words, error);
+    if (!mistake.empty()) fmt::print(stderr, "{}\n", mistake);
+    return help && mistake.empty() && app.exit(error) == 0;
+  }
+}
 
 int run(int argc, char** argv) {
   CLI::App app{kAbout, "striate"};
   app.footer(kFooter);
   app.set_version_flag("--version", std::string("striate ") + STRIATE_VERSION);
   app.require_subcommand(1);
-  app.failure_message(CLI::FailureMessage::simple);
+  // Given twice the last one counts, so that a script can add to a command: ./demo --seed 3
+  app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+  app.get_formatter()->label("TEXT", "FILE");  // where an option takes something else, it says so
   int exit_code = 0;
   striate::add_run_command(app, exit_code);
   striate::add_replay_command(app, exit_code);
@@ -60,12 +87,16 @@ int run(int argc, char** argv) {
   striate::add_learn_descriptor_command(app, exit_code);
   striate::add_teach_command(app, exit_code);
   striate::add_memory_command(app, exit_code);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  }
-  return exit_code;
+  striate::add_help_command(app, exit_code);
+  return parse(app, {argv + 1, argv + argc}) ? exit_code : 2;
+}
+
+/// A disk may be full, and a pipe may have lost its reader: then nothing was told.
+int told(int exit_code) {
+  std::cout.flush();
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0 && std::cout.good()) return exit_code;
+  fmt::print(stderr, "striate: standard output cannot be written: {}\n", std::strerror(errno));
+  return exit_code == 0 ? 1 : exit_code;
 }
 
 }  // namespace
@@ -75,7 +106,7 @@ int main(int argc, char** argv) {
   // the cores by running missions side by side.
   cv::setNumThreads(1);
   try {
-    return run(argc, argv);
+    return told(run(argc, argv));
   } catch (const striate::UserError& error) {
     fmt::print(stderr, "{}\n", error.what());
     return 2;

@@ -3,86 +3,104 @@
 #include <cstdint>
 #include <deque>
 #include <functional>
-#include <memory>
 #include <optional>
 #include <string>
 
-#include "app/baselines/true_depth_pictures.hpp"
+#include "app/body.hpp"
 #include "app/cognitive_cycle.hpp"
 #include "app/drawn_trail.hpp"
 #include "app/longest_stand.hpp"
-#include "app/memory/landmark_knowledge.hpp"
 #include "app/run_result.hpp"
 #include "app/stopwatch_robot.hpp"
-#include "platform/simulator/simulated_pioneer.hpp"
 #include "tasks/task_reader.hpp"
 
 namespace striate {
 
-/// What `striate run` is asked for.
+/// What a mission is asked for, whatever its body.
 struct MissionOptions {
-  std::string task;
-  std::string world;
-  std::string robot;       ///< settings file; empty: the built-in defaults
-  std::uint64_t seed = 1;  ///< any; the first run of a series
-  bool emergency_layer = true;
-  std::string baseline;  ///< whose disparities: paper, sgbm, truth; empty: Striate's own
-  /// Along the corridor, left of its middle, heading; none: the world's own start.
-  std::optional<Pose2> start;
+  std::string task;      ///< empty: to stand, for whoever else drives
+  std::string robot;     ///< settings file; empty: the built-in defaults
+  GivenVariables given;  ///< beside those that the body's place gives
   /// What the long-term memory knows; none: there is no memory.
   std::optional<MissionKnowledge> knowledge;
+  bool emergency_layer = true;
 };
 
-/// One run of a task in a simulated world: the body, the mind, and the judge that watches.
+/// What a mission is made of.
+struct MissionParts {
+  RobotSettings settings;
+  Body body;
+  Task task;
+  std::optional<MissionKnowledge> knowledge;
+  std::string robot_file;  ///< that the settings are from; "" for none
+  GivenVariables given;    ///< all that the task was given
+};
+
+/// Reads and checks everything, then wakes the body. Nothing has moved.
+/// @throws UserError with all mistakes of the task or the settings, and as the body does
+[[nodiscard]] MissionParts prepare(const MissionOptions& options, const BodySource& body);
+
+/// One run of a task by a robot: simulated, real, behind ROS or recorded. A judge watches where the
+/// body has one; else it is the task that says how it went.
 class Mission {
  public:
-  /// Reads and checks everything before anything moves.
-  /// @throws UserError with all mistakes of the task, the world or the settings.
-  explicit Mission(const MissionOptions& options);
+  explicit Mission(MissionParts parts);
+  Mission(const MissionOptions& options, const BodySource& body)
+      : Mission(prepare(options, body)) {}
+  Mission(const Mission&) = delete;
+  Mission& operator=(const Mission&) = delete;
 
   /// Called after each cycle; returns true to ask for a safe end (Ctrl-C).
   using EachCycle = std::function<bool(const Mission&)>;
 
   /// Drives to the end, whatever that is; never throws for what happens on the way.
   RunResult run(const EachCycle& each_cycle);
+  /// One cycle of it, for whoever steers the run; false at its end. May throw as the body does.
+  bool step();
+  /// Asks for a safe end: halts the actions, then `finally`.
+  void interrupt(const std::string& why) { executive_.interrupt(MissionState::interrupted, why); }
 
-  [[nodiscard]] const CognitiveCycle& cycle() const { return *cycle_; }
-  [[nodiscard]] CognitiveCycle& cycle() { return *cycle_; }
+  void set_pilot(CognitiveCycle::Pilot pilot) { cycle_.set_pilot(std::move(pilot)); }
+  [[nodiscard]] const CognitiveCycle& cycle() const { return cycle_; }
+  [[nodiscard]] CognitiveCycle& cycle() { return cycle_; }
   [[nodiscard]] const Executive& executive() const { return executive_; }
-  [[nodiscard]] const simulator::SimulatedPioneer& body() const { return *body_; }
-  [[nodiscard]] const simulator::World& world() const { return world_; }
-  [[nodiscard]] const simulator::FloorPlan& plan() const { return plan_; }
-  [[nodiscard]] const simulator::PictureSource& light() const { return *pictures_; }
+  [[nodiscard]] const RobotSettings& settings() const { return parts_.settings; }
+  [[nodiscard]] const std::string& robot_file() const { return parts_.robot_file; }
+  [[nodiscard]] const GivenVariables& given() const { return parts_.given; }
+  [[nodiscard]] const Robot& body() const { return *parts_.body.robot; }
+  [[nodiscard]] const std::string& place() const { return parts_.body.place; }
+  /// Why the body's own gate holds the robot, or slows it; "": it does not.
+  [[nodiscard]] std::string hold() const;
+  /// nullptr: nobody judges.
+  [[nodiscard]] const simulator::Judge* judge() const { return parts_.body.judge; }
+  /// nullptr: nobody judges, or the body is no simulated one.
+  [[nodiscard]] const SimulatedBody* simulated() const { return parts_.body.simulated; }
   /// Where the robot believes it has been (odometry frame), oldest first.
   [[nodiscard]] const std::deque<Point2>& trail() const { return trail_.points(); }
-  [[nodiscard]] const MissionOptions& options() const { return options_; }
-  [[nodiscard]] const RobotSettings& settings() const { return settings_; }
-  /// What the task was given from outside: how far it is.
-  [[nodiscard]] GivenVariables given() const;
   [[nodiscard]] std::uint64_t cycles() const { return cycles_; }
   [[nodiscard]] double mean_cycle_ms() const;
+  /// Robot time over wall-clock time. @return 1 for a body that lives in real time
   [[nodiscard]] double realtime_factor() const;
 
  private:
-  void one_cycle_on();
   void watch_the_judge();
   [[nodiscard]] RunResult result() const;
+  [[nodiscard]] RunOutcome outcome() const;
+  [[nodiscard]] bool succeeded() const;
+  [[nodiscard]] std::string reason_of(RunOutcome outcome) const;
+  void tell_what_the_judge_knows(RunResult& result) const;
 
-  MissionOptions options_;
-  RobotSettings settings_;
-  simulator::World world_;
-  simulator::FloorPlan plan_;
+  MissionParts parts_;
   Executive executive_;
-  std::unique_ptr<RendererPictures> pictures_;
-  std::unique_ptr<TrueDepthPictures> true_pictures_;  ///< of the baseline `truth`, else null
-  std::unique_ptr<DisparitySource> disparities_;      ///< of a baseline, else null
-  std::unique_ptr<simulator::SimulatedPioneer> body_;
-  std::unique_ptr<StopwatchRobot> watched_;
-  std::unique_ptr<CognitiveCycle> cycle_;
-  DrawnTrail trail_;
+  StopwatchRobot watched_;
+  CognitiveCycle cycle_;
+  TimePoint began_;
   LongestStand stand_;
+  DrawnTrail trail_;
   std::uint64_t cycles_ = 0;
   double wall_s_ = 0.0;
+  double driven_m_ = 0.0;  ///< by odometry
+  Pose2 last_pose_;
   std::string lost_;  ///< why the body was lost; empty: it was not
 };
 

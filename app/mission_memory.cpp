@@ -44,7 +44,7 @@ void MissionMemory::take(CognitiveCycle& cycle) {
   keep_lessons(cycle.trace());
   if (const int stops = cycle.limiter().emergency_stops(); stops > emergency_stops_) {
     emergency_stops_ = stops;
-    const std::string reason = name_of(cycle.limiter().reason());
+    const std::string reason = name_of(cycle.trace().limited_by);
     note("emergency stop", reason, reason);
   }
   if (to_seconds(now_) - noted_s_ < kNoteTimeEvery_s) return;
@@ -89,7 +89,7 @@ void MissionMemory::keep_lessons(const CycleTrace& trace) {
 
 void MissionMemory::finish(CognitiveCycle& cycle, const RunResult& result) {
   if (writer_ == nullptr) return;
-  cycle.close_places(result.outcome != "success" && result.outcome != "interrupted");
+  cycle.close_places(row_of(result.outcome).failed);
   try {
     writer_->commit([&](MemoryTables& tables) {
       const double end_s = session_.operating_start_s + result.duration_s;
@@ -97,7 +97,8 @@ void MissionMemory::finish(CognitiveCycle& cycle, const RunResult& result) {
            news = cycle.take_place_news(end_s)) {
         keep_places(tables, news);
       }
-      const std::string text = result.outcome + (result.reason.empty() ? "" : ": " + result.reason);
+      const std::string text = std::string(name_of(result.outcome)) +
+                               (result.reason.empty() ? "" : ": " + result.reason);
       tables.sessions.add(episode_now("end", text));
       tables.sessions.end(session_.id, result.duration_s, text);
     });

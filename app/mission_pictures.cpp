@@ -8,6 +8,7 @@
 
 #include "app/pictures/cycle_sheet.hpp"
 #include "app/pictures/plan_picture.hpp"
+#include "app/simulated_body.hpp"
 
 namespace striate {
 namespace {
@@ -40,21 +41,24 @@ void MissionPictures::take(const Mission& mission) const {
     return;
   }
   if (!mission.cycle().trace().percept.valid) return;
+  const double along_m = mission.judge() != nullptr ? mission.judge()->in_corridor().x_m
+                                                    : mission.cycle().memory().progress_m();
   const std::string caption =
-      pictures::cycle_caption(mission.cycle(), mission.body().judge().in_corridor().x_m,
-                              mission.executive().current_action());
+      pictures::cycle_caption(mission.cycle(), along_m, mission.executive().current_action());
   save(fmt::format("{}/overview_{:05d}.png", folder_, mission.cycles()),
        pictures::draw_cycle_sheet(mission.cycle(), mission.body().description(), mission.trail(),
                                   caption));
 }
 
 void MissionPictures::finish(const Mission& mission, const RunResult& result) const {
-  if (folder_.empty()) return;
-  const std::string title = fmt::format(
-      "{}, seed {}: {} after {:.1f} m and {:.0f} s, nearest pass {:.2f} m", mission.world().name,
-      result.seed, result.outcome, result.distance_m, result.duration_s, result.nearest_pass_m);
-  save(folder_ + "/plan.png", pictures::draw_plan(mission.world(), mission.plan(),
-                                                  mission.body().judge(), &mission.light(), title));
+  const SimulatedBody* body = mission.simulated();
+  if (folder_.empty() || body == nullptr) return;
+  const std::string title =
+      fmt::format("{}, seed {}: {} after {:.1f} m and {:.0f} s, nearest pass {:.2f} m",
+                  body->world().name, result.seed, name_of(result.outcome), result.distance_m,
+                  result.duration_s, result.nearest_pass_m);
+  save(folder_ + "/plan.png",
+       pictures::draw_plan(body->world(), body->plan(), body->judge(), &body->light(), title));
 }
 
 }  // namespace striate

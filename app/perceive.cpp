@@ -29,7 +29,8 @@ void check(const PerceiveOptions& o) {
     throw UserError(fmt::format("--setting {}: choose paper or robust", o.setting));
   }
   if (o.width_px < 32 || o.width_px > 640) {
-    throw UserError(fmt::format("--width {}: the working width must be 32 to 640 px", o.width_px));
+    throw UserError(
+        fmt::format("--width-px {}: the working width must be 32 to 640 px", o.width_px));
   }
   if ((o.focal_px > 0.0) != (o.baseline_m > 0.0)) {
     throw UserError("distances need both --focal-px and --baseline-m: give both or neither");
@@ -38,7 +39,7 @@ void check(const PerceiveOptions& o) {
     throw UserError("--focal-px and --baseline-m must be positive");
   }
   if (o.camera_height_m && (o.focal_px <= 0.0 || *o.camera_height_m <= 0.0)) {
-    throw UserError("--camera-height must be positive, and needs --focal-px and --baseline-m");
+    throw UserError("--camera-height-m must be positive, and needs --focal-px and --baseline-m");
   }
 }
 
@@ -192,8 +193,8 @@ double reach_of(const Judged& judged) {
 
 int perceive(const PerceiveOptions& options) {
   check(options);
-  StereoFrame frame = read_pair(options);
   make_folder(options.out);
+  const StereoFrame frame = read_pair(options);
   const Judged judged = judge(options, frame);
   const Percept& percept = judged.percept;
   if (!percept.disparity.disparity_px.empty()) {

@@ -11,6 +11,7 @@
 #include <opencv2/imgproc.hpp>
 #include <stdexcept>
 
+#include "app/files.hpp"
 #include "app/pictures/scene_pictures.hpp"
 #include "config/user_error.hpp"
 #include "platform/interface/geometry.hpp"
@@ -72,6 +73,13 @@ void write_picture(const fs::path& file, const cv::Mat3b& picture) {
   if (!cv::imwrite(file.string(), picture)) {
     throw std::runtime_error(fmt::format("{}: cannot be written", file.string()));
   }
+}
+
+void check_picture_writable(const std::string& file) {
+  if (file.empty()) return;
+  check_writable(file);
+  if (cv::haveImageWriter(file)) return;
+  throw UserError(fmt::format("{}: is no name of a picture\n    it must end in .png", file));
 }
 
 std::string obstacles_json(const Percept& percept, const PerceiveOptions& options,

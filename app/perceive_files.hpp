@@ -23,6 +23,10 @@ struct ObstacleReport {
 void write_pfm(const std::filesystem::path& file, const cv::Mat1f& values);
 void write_picture(const std::filesystem::path& file, const cv::Mat3b& picture);
 
+/// Before the work that the picture is to show; an empty path asks for nothing.
+/// @throws UserError where nothing can be written there, or the name's end is no kind of picture
+void check_picture_writable(const std::string& file);
+
 [[nodiscard]] std::string obstacles_json(const Percept& percept, const PerceiveOptions& options,
                                          const ObstacleReport& report);
 [[nodiscard]] std::string keypoints_json(const Percept& percept, cv::Size picture);

@@ -6,7 +6,7 @@
 
 namespace striate {
 
-/// Reads "12 m, 0.2 m, 5 deg": along the corridor, left of its middle, heading (may be left away).
+/// Reads "12 m, 0.2 m, 5 deg": along the corridor, left of its middle, heading (may be left out).
 /// @throws UserError saying what is wrong with it.
 [[nodiscard]] Pose2 parse_place(const std::string& text);
 

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "agent/run_outcome.hpp"
+
 namespace striate {
 
 /// One touch, as the judge saw it.
@@ -19,15 +21,17 @@ struct CollisionRecord {
 };
 
 /// What came of one run; `--result` writes it. Only the figures named wall-clock differ between
-/// two runs of the same seed.
+/// two runs of the same seed in a world.
 struct RunResult {
-  std::string outcome;  ///< success, collision, task_failed, task_ended, time_over,
-                        ///< interrupted, lost
-  std::string reason;   ///< in words; empty for a success
+  RunOutcome outcome = RunOutcome::task_ended;
+  std::string reason;  ///< in words; empty for a success
+  /// A judge watched. Without one there are no collisions, nearest pass and seed, also not in JSON;
+  /// the goal is reached where the task has succeeded, and the way is that of the odometry.
+  bool judged = true;
   bool reached_goal = false;
   std::vector<CollisionRecord> collisions;
-  double distance_m = 0.0;        ///< truly driven
-  double duration_s = 0.0;        ///< simulated
+  double distance_m = 0.0;        ///< driven
+  double duration_s = 0.0;        ///< on the robot's clock
   double nearest_pass_m = 0.0;    ///< smallest distance of the robot's outline to anything
   int emergency_stops = 0;        ///< how often sonar, laser or bumper stepped in
   double longest_stand_s = 0.0;   ///< longest time without moving
@@ -47,13 +51,13 @@ struct RunResult {
 };
 
 [[nodiscard]] nlohmann::ordered_json to_json(const RunResult& result);
-/// @throws std::runtime_error where the JSON is no result of a run.
+/// @throws std::runtime_error where the JSON is no result of a run that a judge watched.
 [[nodiscard]] RunResult run_result_from_json(const nlohmann::json& json);
 
 /// " (why)" of the longest stand; empty where nothing is to be said.
 [[nodiscard]] std::string stood_for(const RunResult& result);
 
-/// What `striate` ends with: 0 success, 130 interrupted, 1 anything else.
-[[nodiscard]] int exit_code_of(const RunResult& result);
+/// "collision (touched table 1)", "success".
+[[nodiscard]] std::string outcome_text(const RunResult& result);
 
 }  // namespace striate

@@ -34,6 +34,13 @@ Wish Arbiter::decide(TimePoint now) {
   return stand;
 }
 
+Claim Arbiter::decide(std::initializer_list<Claim> claims, TimePoint now) {
+  leases_ = {};
+  for (const Claim& claim : claims) offer(claim.owner, claim.wish);
+  const Wish wish = decide(now);
+  return {owner_, wish};
+}
+
 const char* name_of(MotorOwner owner) {
   switch (owner) {
     case MotorOwner::behaviour:

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 
 #include "behaviours/wish.hpp"
 
@@ -10,6 +11,12 @@ namespace striate {
 
 /// Who may want the motors; later names go first.
 enum class MotorOwner : std::uint8_t { nobody, behaviour, pilot, guard, emergency };
+
+/// Somebody wants the motors, and what for.
+struct Claim {
+  MotorOwner owner = MotorOwner::nobody;
+  Wish wish;
+};
 
 /// Gives the motors to one owner at a time. A wish is a lease: an owner that does not renew it
 /// within 200 ms loses the motors, and with nobody left the robot stands.
@@ -23,6 +30,9 @@ class Arbiter {
   void release(MotorOwner owner);
   /// The wish that drives now: that of the first owner with a valid lease, or to stand.
   Wish decide(TimePoint now);
+  /// The same where these are all who want the motors now, each at most once: whoever is not among
+  /// them has given them back.
+  Claim decide(std::initializer_list<Claim> claims, TimePoint now);
   [[nodiscard]] MotorOwner owner() const { return owner_; }
 
  private:

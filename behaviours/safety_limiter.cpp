@@ -156,7 +156,7 @@ void SafetyLimiter::limit_by_emergency(const Motion& motion, const Senses& sense
   scale = emergency;
 }
 
-MotorCommand SafetyLimiter::accelerate(const Motion& wanted, Duration step) {
+MotorCommand SafetyLimiter::accelerate(const Motion& wanted, Duration step) const {
   const double step_s = std::clamp(to_seconds(step), 0.0, kLongestStep_s);
   const auto ease = [step_s](double from, double to, double limit) {
     // Braking is never delayed; only growing speed is.
@@ -169,15 +169,11 @@ MotorCommand SafetyLimiter::accelerate(const Motion& wanted, Duration step) {
   command.forward_m_s = ease(last_.forward_m_s, wanted.forward_m_s, robot_.max_acceleration_m_s2);
   command.turn_rad_s =
       ease(last_.turn_rad_s, wanted.turn_rad_s, robot_.max_turn_acceleration_rad_s2);
-  if (reason_ == LimitReason::none && (std::abs(command.forward_m_s - wanted.forward_m_s) > 1e-9 ||
-                                       std::abs(command.turn_rad_s - wanted.turn_rad_s) > 1e-9)) {
-    reason_ = LimitReason::acceleration;
-  }
   return command;
 }
 
-MotorCommand SafetyLimiter::limit(const Wish& wish, const Senses& senses,
-                                  const ShortTermMemory& memory) {
+Limited SafetyLimiter::limit(const Wish& wish, const Senses& senses,
+                             const ShortTermMemory& memory) {
   const auto sane = [](double value, double most) {
     return std::isfinite(value) ? std::clamp(value, -most, most) : 0.0;
   };
@@ -189,17 +185,19 @@ MotorCommand SafetyLimiter::limit(const Wish& wish, const Senses& senses,
     scale.lower(0.0, LimitReason::wish_old);
   }
   limit_by_emergency(wanted, senses, scale);
-  reason_ = scale.reason;
   // One factor for both keeps the arc: it was this arc that was found free.
   const Motion allowed{wanted.forward_m_s * scale.factor, wanted.turn_rad_s * scale.factor};
   const Duration step = first_ ? robot_.cycle : senses.now - last_time_;
   MotorCommand command = accelerate(allowed, step);
   command.pan_rad = sane(wish.pan_rad, robot_.max_pan_rad);
   command.tilt_rad = sane(wish.tilt_rad, robot_.max_tilt_rad);
+  const bool gathers_speed = std::abs(command.forward_m_s - allowed.forward_m_s) > 1e-9 ||
+                             std::abs(command.turn_rad_s - allowed.turn_rad_s) > 1e-9;
   last_ = {command.forward_m_s, command.turn_rad_s};
   last_time_ = senses.now;
   first_ = false;
-  return command;
+  const bool only_that = gathers_speed && scale.reason == LimitReason::none;
+  return {command, only_that ? LimitReason::acceleration : scale.reason};
 }
 
 const char* name_of(LimitReason reason) {

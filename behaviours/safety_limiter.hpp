@@ -65,6 +65,12 @@ enum class LimitReason : std::uint8_t {
 };
 [[nodiscard]] const char* name_of(LimitReason reason);
 
+/// What the limiter lets through, and why it is less than the wish.
+struct Limited {
+  MotorCommand command;
+  LimitReason reason = LimitReason::none;
+};
+
 /// The last and only gate to the motors. It may only slow down or stop, never add motion; and it
 /// slows only motion that leads towards a thing, so the robot can always turn or back away.
 /// Sonar, laser and bumper are the emergency layer; short-term memory always counts.
@@ -73,9 +79,8 @@ class SafetyLimiter {
   SafetyLimiter(const SafetyLimiterSettings& settings, const RobotDescription& robot);
 
   /// The command to send, from the wish, what is felt now and what is remembered.
-  MotorCommand limit(const Wish& wish, const Senses& senses, const ShortTermMemory& memory);
+  Limited limit(const Wish& wish, const Senses& senses, const ShortTermMemory& memory);
 
-  [[nodiscard]] LimitReason reason() const { return reason_; }  ///< of the last cycle
   /// How often sonar, laser or bumper stepped in: each time they begin to take more than half of
   /// the speed away that was wished and otherwise allowed.
   [[nodiscard]] int emergency_stops() const { return emergency_stops_; }
@@ -100,7 +105,7 @@ class SafetyLimiter {
   void limit_by_state(const Motion& motion, const Senses& senses, const ShortTermMemory& memory,
                       Scale& scale);
   void limit_by_emergency(const Motion& motion, const Senses& senses, Scale& scale);
-  MotorCommand accelerate(const Motion& wanted, Duration step);
+  [[nodiscard]] MotorCommand accelerate(const Motion& wanted, Duration step) const;
 
   SafetyLimiterSettings settings_;
   RobotDescription robot_;
@@ -112,7 +117,6 @@ class SafetyLimiter {
   bool first_ = true;
   double blocked_sign_ = 0.0;  // the way that stall or bumper forbids
   TimePoint blocked_until_{};
-  LimitReason reason_ = LimitReason::none;
   bool emergency_active_ = false;
   int emergency_stops_ = 0;
 };

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace striate {
 namespace {
@@ -16,47 +15,42 @@ constexpr double kSomewhereHalf_m = 0.5;
 
 }  // namespace
 
-FamiliarLandmarks::FamiliarLandmarks(LandmarkKnowledge knowledge, const LongTermSettings& settings)
+std::vector<KnownView> views_of(const LandmarkKnowledge& knowledge) {
+  std::vector<KnownView> views;
+  for (std::size_t k = 0; k < knowledge.landmarks.size(); ++k) {
+    for (const LandmarkView& view : knowledge.landmarks[k].views) {
+      views.push_back({static_cast<int>(k), view});
+    }
+  }
+  return views;
+}
+
+FamiliarLandmarks::FamiliarLandmarks(const LandmarkKnowledge& knowledge,
+                                     const LongTermSettings& settings, std::string_view sought)
     : settings_(settings),
-      routes_(std::move(knowledge.routes)),
+      routes_(knowledge.routes),
       operating_start_s_(knowledge.operating_start_s),
       learning_(settings) {
   known_.reserve(knowledge.landmarks.size());
-  for (LandmarkModel& model : knowledge.landmarks) {
+  int views = 0;
+  for (const LandmarkModel& model : knowledge.landmarks) {
     Known& known = known_.emplace_back();
-    known.record = std::move(model.record);
+    known.record = model.record;
     known.record.history.recent_s.reserve(UseHistory::kKept + 1);
-    known.views = std::move(model.views);
+    for (std::size_t k = 0; k < model.views.size(); ++k) known.views.push_back(views++);
     by_activation_.push_back(known_.size() - 1);
+    if (known.record.name == sought) goal_ = known.record.id;
   }
   situation_.in_sight.reserve(LandmarkMemory::kCapacity);
   expected_.reserve(LandmarkMemory::kCapacity);
 }
 
-void FamiliarLandmarks::hand_over(LandmarkFinder& finder) {
-  for (std::size_t k = 0; k < known_.size(); ++k) {
-    for (const LandmarkView& view : known_[k].views) {
-      known_[k].numbers.push_back(finder.know(static_cast<int>(k), view));
-    }
-    known_[k].views.clear();
-    known_[k].views.shrink_to_fit();
-  }
-}
-
-void FamiliarLandmarks::seek(std::string_view name) {
-  goal_ = 0;
-  for (const Known& known : known_) {
-    if (known.record.name == name) goal_ = known.record.id;
-  }
-  ordered_.reset();
-}
-
-void FamiliarLandmarks::guide(const ShortTermMemory& memory, const Pose2& at,
-                              LandmarkFinder& finder) {
-  if (known_.empty()) return;
+LandmarkExpectations FamiliarLandmarks::expectations(const ShortTermMemory& memory,
+                                                     const Pose2& at) {
+  if (known_.empty()) return {};
   if (!ordered_ || memory.now() - *ordered_ >= kOrderEvery) {
     ordered_ = memory.now();
-    order_by_activation(memory, finder);
+    order_by_activation(memory);
   }
   expected_.clear();
   for (const std::size_t k : by_activation_) {
@@ -70,11 +64,11 @@ void FamiliarLandmarks::guide(const ShortTermMemory& memory, const Pose2& at,
     expected.place = {here.x_m, here.y_m, height_m.value_or(kSomewhere_m)};
     if (!height_m) expected.half_m = kSomewhereHalf_m;
   }
-  finder.expect(expected_);
+  return {order_, expected_};
 }
 
 /// A = B + spread + ln(s / (1 - s)): what is most active is looked for first.
-void FamiliarLandmarks::order_by_activation(const ShortTermMemory& memory, LandmarkFinder& finder) {
+void FamiliarLandmarks::order_by_activation(const ShortTermMemory& memory) {
   situation_.now_s = operating_start_s_ + to_seconds(memory.now());
   situation_.goal = goal_;
   situation_.in_sight.clear();
@@ -92,48 +86,46 @@ void FamiliarLandmarks::order_by_activation(const ShortTermMemory& memory, Landm
   });
   order_.clear();
   for (const std::size_t k : by_activation_) {
-    order_.insert(order_.end(), known_[k].numbers.begin(), known_[k].numbers.end());
+    order_.insert(order_.end(), known_[k].views.begin(), known_[k].views.end());
   }
-  finder.look_for(order_);
 }
 
-const std::vector<LandmarkSighting>& FamiliarLandmarks::name(const Percept& percept) {
-  sightings_.clear();
-  if (known_.empty() || !percept.valid || named_ == percept.stamp) return sightings_;
-  named_ = percept.stamp;
-  to_learn_ = true;
+const Recognised& FamiliarLandmarks::recognised(const Percept& percept, const Senses& senses,
+                                                const ShortTermMemory& memory) {
+  recognised_.sightings.clear();
+  recognised_.lessons.clear();
+  if (known_.empty() || !percept.valid) return recognised_;
   for (const Recognition& found : percept.recognitions) {
     Known& known = known_.at(static_cast<std::size_t>(found.landmark));
     if (std::isfinite(found.distance_m)) known.height_m = found.height_m;
-    sightings_.push_back({known.record.id, known.record.name, percept.stamp, found.score,
-                          found.bearing_rad, found.distance_m});
+    const LandmarkSighting& sighting = recognised_.sightings.emplace_back(
+        LandmarkSighting{known.record.id, known.record.name, percept.stamp, found.score,
+                         found.bearing_rad, found.distance_m});
+    learning_->found(known.record.id);
+    if (memory.confirms(sighting)) strengthen(known, found, senses);
   }
-  return sightings_;
+  const Point2 here{senses.odometry.pose.x_m, senses.odometry.pose.y_m};
+  for (const ExpectedLook& look : percept.expected) {
+    if (look.result != LookResult::missed) continue;
+    weaken(known_.at(static_cast<std::size_t>(look.landmark)), here);
+  }
+  return recognised_;
 }
 
-const std::vector<LandmarkLesson>& FamiliarLandmarks::learn(const Percept& percept,
-                                                            const ShortTermMemory& memory) {
-  lessons_.clear();
-  if (!std::exchange(to_learn_, false)) return lessons_;
-  const Point2 here{memory.pose().x_m, memory.pose().y_m};
-  for (const Recognition& found : percept.recognitions) {
-    Known& known = known_.at(static_cast<std::size_t>(found.landmark));
-    learning_->found(known.record.id);
-    if (!memory.landmarks().confirmed_by(known.record.id, percept.stamp)) continue;
-    if (!learning_->seen(known.record.id, here)) continue;
-    note_use(known.record.history, operating_start_s_ + to_seconds(memory.now()));
-    known.record.strength = consolidated(known.record.strength, settings_);
-    lessons_.push_back({LandmarkLesson::Kind::recognised, known.record.id, known.record.name,
-                        found.bearing_rad, found.distance_m});
-  }
-  for (const ExpectedLook& look : percept.expected) {
-    Known& known = known_.at(static_cast<std::size_t>(look.landmark));
-    if (look.result != LookResult::missed || !learning_->missed(known.record.id, here)) continue;
-    known.record.strength = enfeebled(known.record.strength, settings_);
-    lessons_.push_back(
-        {LandmarkLesson::Kind::missed, known.record.id, known.record.name, 0.0, 0.0});
-  }
-  return lessons_;
+void FamiliarLandmarks::strengthen(Known& known, const Recognition& found, const Senses& senses) {
+  const Point2 here{senses.odometry.pose.x_m, senses.odometry.pose.y_m};
+  if (!learning_->seen(known.record.id, here)) return;
+  note_use(known.record.history, operating_start_s_ + to_seconds(senses.now));
+  known.record.strength = consolidated(known.record.strength, settings_);
+  recognised_.lessons.push_back({LandmarkLesson::Kind::recognised, known.record.id,
+                                 known.record.name, found.bearing_rad, found.distance_m});
+}
+
+void FamiliarLandmarks::weaken(Known& known, const Point2& here) {
+  if (!learning_->missed(known.record.id, here)) return;
+  known.record.strength = enfeebled(known.record.strength, settings_);
+  recognised_.lessons.push_back(
+      {LandmarkLesson::Kind::missed, known.record.id, known.record.name, 0.0, 0.0});
 }
 
 }  // namespace striate

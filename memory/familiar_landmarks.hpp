@@ -38,43 +38,48 @@ struct LandmarkLesson {
   double distance_m = 0.0;   ///< recognised: kNothing_m where unknown; missed: 0
 };
 
+/// What recognition in one picture comes to, by name.
+struct Recognised {
+  std::vector<LandmarkSighting> sightings;  ///< for short-term memory to take in
+  std::vector<LandmarkLesson> lessons;      ///< for long-term memory to keep
+};
+
 /// The landmarks of long-term memory at work: says in which order and where they are looked for,
 /// names what was recognised, and decides what a look teaches. Touches no disk.
 class FamiliarLandmarks {
  public:
   /// Knows nothing and costs nothing.
   FamiliarLandmarks() = default;
-  FamiliarLandmarks(LandmarkKnowledge knowledge, const LongTermSettings& settings);
+  /// @param sought the landmark that the task is after: it comes to mind first. "" or an unknown
+  /// one: none.
+  FamiliarLandmarks(const LandmarkKnowledge& knowledge, const LongTermSettings& settings,
+                    std::string_view sought = {});
 
-  /// Hands all views to the finder. Once, before the first picture.
-  void hand_over(LandmarkFinder& finder);
-  /// The landmark that the task is after: it comes to mind first. "" or an unknown one: none.
-  void seek(std::string_view name);
-  /// Before a picture is looked at: views by activation, and where landmarks are expected.
+  /// How the next picture is to be looked at: views by activation, and where landmarks are
+  /// expected. Valid until the next call.
   /// @param at the robot when the picture was taken, odometry frame
-  void guide(const ShortTermMemory& memory, const Pose2& at, LandmarkFinder& finder);
+  [[nodiscard]] LandmarkExpectations expectations(const ShortTermMemory& memory, const Pose2& at);
 
-  /// What was recognised in a picture, by name; nothing when the picture was named before. Valid
-  /// until the next call.
-  [[nodiscard]] const std::vector<LandmarkSighting>& name(const Percept& percept);
-  /// What the picture that was named last teaches, after short-term memory took its sightings in: a
-  /// sighting that is confirmed and new makes a landmark stronger, one missed again and again makes
-  /// it weaker. Nothing when it has taught before. Valid until the next call.
-  [[nodiscard]] const std::vector<LandmarkLesson>& learn(const Percept& percept,
-                                                         const ShortTermMemory& memory);
+  /// What was recognised in a new picture, and what that teaches: a sighting that is confirmed and
+  /// new makes a landmark stronger, one missed again and again makes it weaker. Valid until the
+  /// next call.
+  /// @param memory as it is before it takes the sightings in
+  [[nodiscard]] const Recognised& recognised(const Percept& percept, const Senses& senses,
+                                             const ShortTermMemory& memory);
 
   [[nodiscard]] std::size_t size() const { return known_.size(); }
 
  private:
   struct Known {
     Landmark record;
-    std::vector<LandmarkView> views;  ///< until they are handed over
-    std::vector<int> numbers;         ///< of its views, as the finder calls them
+    std::vector<int> views;  ///< their numbers
     double activation = 0.0;
     std::optional<double> height_m;  ///< of its middle, when it was seen last in this run
   };
 
-  void order_by_activation(const ShortTermMemory& memory, LandmarkFinder& finder);
+  void order_by_activation(const ShortTermMemory& memory);
+  void strengthen(Known& known, const Recognition& found, const Senses& senses);
+  void weaken(Known& known, const Point2& here);
 
   LongTermSettings settings_;
   std::vector<Known> known_;
@@ -83,14 +88,15 @@ class FamiliarLandmarks {
   std::int64_t goal_ = 0;
   std::optional<Learning> learning_;
   std::optional<TimePoint> ordered_;
-  std::optional<TimePoint> named_;  ///< the picture
-  bool to_learn_ = false;           ///< from it
   Situation situation_;
   std::vector<std::size_t> by_activation_;
   std::vector<int> order_;
   std::vector<LandmarkExpectation> expected_;
-  std::vector<LandmarkSighting> sightings_;
-  std::vector<LandmarkLesson> lessons_;
+  Recognised recognised_;
 };
+
+/// All views of what is known, in the order in which FamiliarLandmarks numbers them: what
+/// perception is built with.
+[[nodiscard]] std::vector<KnownView> views_of(const LandmarkKnowledge& knowledge);
 
 }  // namespace striate

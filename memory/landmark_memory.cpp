@@ -14,12 +14,10 @@ double bearing_of(const Point2& place, const Pose2& from) {
 }  // namespace
 
 void LandmarkMemory::see(const LandmarkSighting& sighting, const Pose2& at, const Pose2& now) {
+  const int row = row_with(sighting);
   LandmarkInMind& entry = entry_for(sighting.landmark, sighting.name);
   if (entry.sightings == 0) entry.first_seen = sighting.stamp;
-  const bool goes_on =
-      entry.sightings > 0 && to_seconds(sighting.stamp - entry.last_seen) <= settings_.confirming_s;
-  if (!goes_on) entry.in_a_row = 0;
-  ++entry.in_a_row;
+  entry.in_a_row = row;
   ++entry.sightings;
   if (entry.in_a_row >= settings_.confirming_looks) entry.confirmed = true;
   entry.score = sighting.score;
@@ -72,10 +70,11 @@ const LandmarkInMind* LandmarkMemory::find(std::int64_t landmark) const {
   return nullptr;
 }
 
-bool LandmarkMemory::confirmed_by(std::int64_t landmark, TimePoint stamp) const {
-  const LandmarkInMind* entry = find(landmark);
-  return entry != nullptr && entry->confirmed && entry->last_seen == stamp &&
-         entry->in_a_row >= settings_.confirming_looks;
+int LandmarkMemory::row_with(const LandmarkSighting& sighting) const {
+  const LandmarkInMind* entry = find(sighting.landmark);
+  const bool goes_on = entry != nullptr && entry->sightings > 0 &&
+                       to_seconds(sighting.stamp - entry->last_seen) <= settings_.confirming_s;
+  return goes_on ? entry->in_a_row + 1 : 1;
 }
 
 bool LandmarkMemory::in_sight(std::string_view name, TimePoint now, Duration window) const {

@@ -75,13 +75,17 @@ class LandmarkMemory {
   /// nullptr where it is not in mind.
   [[nodiscard]] const LandmarkInMind* find(std::string_view name) const;
   [[nodiscard]] const LandmarkInMind* find(std::int64_t landmark) const;
-  /// Recognised in the picture of `stamp`, and that look ends a row which is long enough.
-  [[nodiscard]] bool confirmed_by(std::int64_t landmark, TimePoint stamp) const;
+  /// Whether this sighting, once it is taken in, ends a row of looks that is long enough.
+  [[nodiscard]] bool confirms(const LandmarkSighting& sighting) const {
+    return row_with(sighting) >= settings_.confirming_looks;
+  }
   /// Confirmed, and recognised within `window` before `now`.
   [[nodiscard]] bool in_sight(std::string_view name, TimePoint now, Duration window) const;
   [[nodiscard]] const Landmarks& all() const { return landmarks_; }
 
  private:
+  /// How many looks follow each other closely, this one the last.
+  [[nodiscard]] int row_with(const LandmarkSighting& sighting) const;
   LandmarkInMind& entry_for(std::int64_t landmark, std::string_view name);
 
   LandmarkMemorySettings settings_;

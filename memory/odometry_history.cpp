@@ -4,11 +4,12 @@
 
 namespace striate {
 
-void OdometryHistory::add(TimePoint stamp, const Pose2& pose) {
-  if (count_ > 0 && stamp <= back(0).stamp) return;
+const OdometryHistory& OdometryHistory::add(TimePoint stamp, const Pose2& pose) {
+  if (count_ > 0 && stamp <= back(0).stamp) return *this;
   entries_[next_] = {stamp, pose};
   next_ = (next_ + 1) % kCapacity;
   count_ = std::min(count_ + 1, kCapacity);
+  return *this;
 }
 
 bool OdometryHistory::reaches(TimePoint stamp) const {

@@ -13,7 +13,8 @@ class OdometryHistory {
  public:
   static constexpr std::size_t kCapacity = 64;  ///< by hand: 6.4 s of cycles
 
-  void add(TimePoint stamp, const Pose2& pose);
+  /// @return this history, as it is now
+  const OdometryHistory& add(TimePoint stamp, const Pose2& pose);
   /// Interpolated; the nearest kept pose where `stamp` lies outside what is kept.
   [[nodiscard]] Pose2 at(TimePoint stamp) const;
   /// Whether `stamp` is not older than what is kept.

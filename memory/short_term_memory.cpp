@@ -27,7 +27,8 @@ ShortTermMemory::ShortTermMemory(const ShortTermMemorySettings& settings,
   regions_now_.reserve(kMostRegions);
 }
 
-void ShortTermMemory::update(const Senses& senses, const Percept& percept) {
+const ShortTermMemory& ShortTermMemory::update(const Senses& senses, const Percept& percept,
+                                               std::span<const LandmarkSighting> sightings) {
   const TimePoint before = now_;
   feel(senses);
   if (percept.valid && (!picture_seen_ || percept.stamp > picture_stamp_)) see(percept);
@@ -38,6 +39,8 @@ void ShortTermMemory::update(const Senses& senses, const Percept& percept) {
     fitted_ = now_;
     fit_walls();
   }
+  for (const LandmarkSighting& sighting : sightings) recognise(sighting);
+  return *this;
 }
 
 void ShortTermMemory::fit_walls() {

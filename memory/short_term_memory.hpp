@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <span>
 #include <string_view>
 
 #include "config/settings.hpp"
@@ -70,7 +71,10 @@ class ShortTermMemory {
 
   /// Once a cycle. The percept may be old, the same as before, or invalid; its evidence is placed
   /// where the robot was at the percept's stamp, and a picture is used once.
-  void update(const Senses& senses, const Percept& percept);
+  /// @param sightings landmarks that were recognised in the percept's picture; each once
+  /// @return this memory, as it is now
+  const ShortTermMemory& update(const Senses& senses, const Percept& percept,
+                                std::span<const LandmarkSighting> sightings = {});
   /// What long-term memory knows of places. Once, before the first update; without it no place is
   /// estimated.
   void know_places(const PlaceKnowledge& knowledge) { place_.know(knowledge); }
@@ -109,6 +113,11 @@ class ShortTermMemory {
   [[nodiscard]] const CorridorMemory& corridor() const { return corridor_; }
   [[nodiscard]] const SalientMemory& salient() const { return salient_; }
   [[nodiscard]] const LandmarkMemory& landmarks() const { return landmarks_; }
+  /// Whether this sighting, once the next update takes it in, confirms its landmark; false where
+  /// its picture is too old to say where it belongs.
+  [[nodiscard]] bool confirms(const LandmarkSighting& sighting) const {
+    return history_.reaches(sighting.stamp) && landmarks_.confirms(sighting);
+  }
   /// Where the robot has been, from the start on.
   [[nodiscard]] const Trail& trail() const { return trail_; }
   /// Where the robot is on the map of its memory, and the routes that were driven.

@@ -2,6 +2,7 @@
 
 #include <opencv2/imgproc.hpp>
 #include <stdexcept>
+#include <utility>
 
 #include "perception/noise_estimate.hpp"
 #include "perception/obstacles/wall_completion.hpp"
@@ -34,14 +35,16 @@ void describe_camera(const StereoFrame& frame, int width, DisparityMap& map) {
 
 }  // namespace
 
-Perception::Perception(const PerceptionSettings& settings, const RobotDescription& robot)
+Perception::Perception(const PerceptionSettings& settings, const RobotDescription& robot,
+                       const PerceptionExtras& extras)
     : settings_(settings),
       robot_(robot),
       matcher_(settings.stereo),
       keypoint_finder_(settings.keypoints),
       saliency_finder_(settings.saliency),
       motion_finder_(settings.motion, robot),
-      landmark_finder_(settings.recognition) {}
+      other_disparities_(extras.disparities),
+      landmark_finder_(settings.recognition, extras.views, extras.clock) {}
 
 void Perception::match(const StereoFrame& frame, const Greys& greys, DisparityMap& disparity) {
   const int width = settings_.stereo.width;
@@ -69,7 +72,8 @@ void Perception::measure_depth(const StereoFrame& frame, const Greys& greys, Per
   percept.obstacles = std::move(view.obstacles);
 }
 
-Percept Perception::see(const StereoFrame& frame, const std::optional<Pose2>& base) {
+Percept Perception::see(const StereoFrame& frame, const std::optional<Pose2>& base,
+                        const LandmarkExpectations& expected) {
   Percept percept;
   percept.stamp = frame.stamp;
   if (frame.left.empty()) return percept;
@@ -98,7 +102,10 @@ Percept Perception::see(const StereoFrame& frame, const std::optional<Pose2>& ba
   if (settings_.keypoints_every > 0 && pictures_ % settings_.keypoints_every == 0) {
     percept.keypoints = keypoint_finder_.find(grey);
   }
-  landmark_finder_.find(grey, ViewGeometry(percept.disparity, frame.head, robot_), percept);
+  LandmarkLook look = landmark_finder_.find(
+      grey, ViewGeometry(percept.disparity, frame.head, robot_), percept, expected);
+  percept.recognitions = std::move(look.recognitions);
+  percept.expected = std::move(look.expected);
   ++pictures_;
   return percept;
 }

@@ -48,14 +48,26 @@ void visit(V& v, PerceptionSettings& s) {
             "keypoints in every n-th picture; 0: never");
 }
 
-/// All of seeing: one picture pair in, one percept out. What landmarks look like is handed in by
-/// who remembers them (`landmarks()`). Holds no memory of earlier pictures but their count (and
-/// copies of the last ones where `saliency.motion_weight` is not zero or `motion` is on), so the
-/// same pictures in the same order always give the same percepts.
+/// What perception may be built with beside its settings; all of it may be left out.
+struct PerceptionExtras {
+  /// What landmarks look like, from whoever remembers them.
+  std::vector<KnownView> views;
+  /// What the setting `recognition.most_time` is measured with; without it there is no limit of
+  /// time. Must outlive the perception, as must the next.
+  const Clock* clock = nullptr;
+  /// A baseline's disparities instead of Striate's own stereo.
+  DisparitySource* disparities = nullptr;
+};
+
+/// All of seeing: one picture pair in, one percept out. Holds no memory of earlier pictures but
+/// their count (and copies of the last ones where `saliency.motion_weight` is not zero or `motion`
+/// is on), so the same pictures in the same order always give the same percepts.
 class Perception {
  public:
-  /// Throws UserError for settings out of range.
-  Perception(const PerceptionSettings& settings, const RobotDescription& robot);
+  /// Throws UserError for settings out of range, std::invalid_argument for a view that is unsound
+  /// (Recogniser::add).
+  Perception(const PerceptionSettings& settings, const RobotDescription& robot,
+             const PerceptionExtras& extras = {});
 
   /// No picture: a percept that is not valid. One eye (`right` empty): what one picture can give,
   /// the corridor's heading, saliency and keypoints. Unknown camera (`focal_px` <= 0):
@@ -63,12 +75,9 @@ class Perception {
   /// size.
   /// @param base where the axle was when the picture was taken, by odometry; without it nothing is
   /// found to move.
-  [[nodiscard]] Percept see(const StereoFrame& frame, const std::optional<Pose2>& base = {});
-
-  /// From now on the disparities are `source`'s, which must live as long; for baselines.
-  void take_disparities_from(DisparitySource& source) { other_disparities_ = &source; }
-  /// Takes what memory knows of landmarks; nothing is looked for before.
-  [[nodiscard]] LandmarkFinder& landmarks() { return landmark_finder_; }
+  /// @param expected which landmarks are looked for, and where first; without it none are.
+  [[nodiscard]] Percept see(const StereoFrame& frame, const std::optional<Pose2>& base = {},
+                            const LandmarkExpectations& expected = {});
 
  private:
   /// The left picture in grey, as it came and at the working size.
@@ -85,7 +94,7 @@ class Perception {
   KeypointFinder keypoint_finder_;
   SaliencyFinder saliency_finder_;
   MotionFinder motion_finder_;
-  DisparitySource* other_disparities_ = nullptr;
+  DisparitySource* other_disparities_;  ///< nullptr: Striate's own
   LandmarkFinder landmark_finder_;
   std::int64_t pictures_ = 0;
 };

@@ -25,12 +25,12 @@ Executive::Executive(Task task) : task_(std::move(task)) {
   if (!task_.root) throw std::logic_error("an executive needs a task with a tree");
 }
 
-Wish Executive::tick(const ShortTermMemory& memory, TimePoint now) {
+TaskDecision Executive::tick(const ShortTermMemory& memory, TimePoint now) {
   TaskCycle cycle(memory, now, reason_, ++cycles_);
   if (!ended_) advance(cycle);
   doing_ = cycle.doing();
-  owner_ = cycle.paused() && doing_.empty() ? MotorOwner::guard : MotorOwner::behaviour;
-  return cycle.wish();
+  const bool guarded = cycle.paused() && doing_.empty();
+  return {{guarded ? MotorOwner::guard : MotorOwner::behaviour, cycle.wish()}, doing_, ended_};
 }
 
 void Executive::advance(TaskCycle& cycle) {

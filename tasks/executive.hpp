@@ -11,6 +11,13 @@ namespace striate {
 /// How a mission stands.
 enum class MissionState { running, succeeded, failed, interrupted };
 
+/// What a task wants in one cycle.
+struct TaskDecision {
+  Claim claim;             ///< a guard's while it holds the robot still, else a behaviour's
+  std::string_view doing;  ///< the action that runs; "" when none does. Lives as the task does.
+  bool ended = false;      ///< the mission is over; the wish is to stand
+};
+
 /// Runs a task: its tree, and after every ending, also after an interruption, its `finally`.
 /// One wish a cycle; one motor owner at any time. Ticking allocates nothing.
 class Executive {
@@ -20,8 +27,8 @@ class Executive {
   Executive(const Executive&) = delete;
   Executive& operator=(const Executive&) = delete;
 
-  /// One cycle. The wish is stop once the mission has ended.
-  Wish tick(const ShortTermMemory& memory, TimePoint now);
+  /// One cycle.
+  TaskDecision tick(const ShortTermMemory& memory, TimePoint now);
 
   /// Ends the mission from outside (Ctrl-C, end of the course): halts the actions, then `finally`.
   void interrupt(MissionState as, std::string reason);
@@ -34,8 +41,6 @@ class Executive {
   [[nodiscard]] std::string reason() const;
   /// The action that ran in the last cycle; "" when none did.
   [[nodiscard]] std::string_view current_action() const { return doing_; }
-  /// Who wished in the last cycle: a guard while it holds the robot still.
-  [[nodiscard]] MotorOwner owner() const { return owner_; }
   [[nodiscard]] const Task& task() const { return task_; }
 
  private:
@@ -50,7 +55,6 @@ class Executive {
   std::string interrupted_why_;
   Reason reason_;
   std::string_view doing_;
-  MotorOwner owner_ = MotorOwner::behaviour;
 };
 
 }  // namespace striate

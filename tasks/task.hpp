@@ -10,15 +10,25 @@
 
 namespace striate {
 
+/// What a mission is after: `goal` of the script.
+enum class TaskGoal {
+  steps,  ///< to do its steps
+  line  ///< to cross the goal line of the world; whoever sees it crossed ends the task with success
+};
+
 /// A task script, checked and ready to run once.
 struct Task {
   std::string file;
   std::vector<std::string> files;  ///< that file and those it uses; absolute paths
   std::string mission;
+  TaskGoal goal = TaskGoal::steps;
   std::vector<std::string> landmarks;  ///< what it needs to know: `needs: {landmarks: [book]}`
-  std::vector<std::string> variables;  ///< names that it declares with `vars`
+  std::vector<std::string> variables;  ///< names in `vars` and in `needs: {parameters: ...}`
   std::unique_ptr<ScopeNode> root;     ///< guards, steps and `finally`; never nullptr when usable
   Outline outline;                     ///< the same, to be shown
+  /// What is still read but should be written otherwise: "file:line:column: note: ..."; for the
+  /// caller to show.
+  std::string notices;
 };
 
 }  // namespace striate

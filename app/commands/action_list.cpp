@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "app/command_line/mistakes.hpp"
+#include "config/user_error.hpp"
 #include "tasks/condition.hpp"
 
 namespace striate {
@@ -53,6 +55,39 @@ ordered_json json_of(const BehaviourEntry& behaviour) {
   return json;
 }
 
+ordered_json json_of(const ConditionEntry& condition) {
+  return {{"name", condition.name},
+          {"help", condition.help},
+          {"allowed", allowed_of(condition)},
+          {"example", fmt::format("until: {{{}: {}}}", condition.name, condition.example)}};
+}
+
+std::string text_of(const BehaviourEntry& behaviour) {
+  std::string text =
+      fmt::format("  {}: {}\n      - {}\n", behaviour.name, behaviour.help, example_of(behaviour));
+  for (const config::SettingLine& line : behaviour.parameters()) {
+    const std::string value =
+        is_required(behaviour, line.key) ? "(must be given)" : readable(line.value);
+    text += fmt::format("      {:24} {:16} {} ({})\n", line.key, value, line.help,
+                        readable(line.allowed));
+  }
+  return text;
+}
+
+std::string text_of(const ConditionEntry& condition) {
+  const std::string example = fmt::format("{{{}: {}}}", condition.name, condition.example);
+  return fmt::format("  {:34} {} ({})\n", example, condition.help, allowed_of(condition));
+}
+
+/// @throws UserError with the nearest name; "" is all of them
+void check_known(const std::string& name) {
+  std::vector<std::string> names;
+  for (const BehaviourEntry& behaviour : behaviour_registry()) names.push_back(behaviour.name);
+  for (const ConditionEntry& condition : condition_registry()) names.push_back(condition.name);
+  if (name.empty() || std::find(names.begin(), names.end(), name) != names.end()) return;
+  throw UserError(unknown_text("action or condition", name, names, "striate task actions"));
+}
+
 }  // namespace
 
 std::string example_of(const BehaviourEntry& behaviour) {
@@ -71,39 +106,32 @@ std::string example_of(const BehaviourEntry& behaviour) {
   return fmt::format("{}: {{{}}}", behaviour.name, arguments);
 }
 
-ordered_json actions_as_json() {
+ordered_json actions_as_json(const std::string& only) {
+  check_known(only);
   ordered_json json;
   json["actions"] = ordered_json::array();
   for (const BehaviourEntry& behaviour : behaviour_registry()) {
-    json["actions"].push_back(json_of(behaviour));
+    if (only.empty() || only == behaviour.name) json["actions"].push_back(json_of(behaviour));
   }
   json["conditions"] = ordered_json::array();
   for (const ConditionEntry& condition : condition_registry()) {
-    json["conditions"].push_back(
-        {{"name", condition.name},
-         {"help", condition.help},
-         {"allowed", allowed_of(condition)},
-         {"example", fmt::format("until: {{{}: {}}}", condition.name, condition.example)}});
+    if (only.empty() || only == condition.name) json["conditions"].push_back(json_of(condition));
   }
   return json;
 }
 
-std::string actions_as_text() {
-  std::string text = "Actions (a parameter that is left away has the value shown):\n";
+std::string actions_as_text(const std::string& only) {
+  check_known(only);
+  std::string text =
+      only.empty() ? "Actions (a parameter that is left out has the value shown):\n" : "";
   for (const BehaviourEntry& behaviour : behaviour_registry()) {
-    text += fmt::format("\n  {}: {}\n      - {}\n", behaviour.name, behaviour.help,
-                        example_of(behaviour));
-    for (const config::SettingLine& line : behaviour.parameters()) {
-      const std::string value =
-          is_required(behaviour, line.key) ? "(must be given)" : readable(line.value);
-      text += fmt::format("      {:24} {:16} {} ({})\n", line.key, value, line.help,
-                          readable(line.allowed));
-    }
+    if (only.empty()) text += "\n" + text_of(behaviour);
+    if (only == behaviour.name) return text_of(behaviour);
   }
   text += "\nConditions, for until, only_if, unless, pause_if and fail_if:\n\n";
   for (const ConditionEntry& condition : condition_registry()) {
-    const std::string example = fmt::format("{{{}: {}}}", condition.name, condition.example);
-    text += fmt::format("  {:34} {} ({})\n", example, condition.help, allowed_of(condition));
+    text += text_of(condition);
+    if (only == condition.name) return text_of(condition);
   }
   return text;
 }

@@ -121,9 +121,10 @@ void add_calibrate_command(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand(
       "calibrate",
       "Finds lenses and pose of a stereo camera from chessboard pairs, and tells how exact it is.\n"
-      "Example: striate calibrate pictures --columns 9 --rows 6 --square 25 --out stereo.yaml");
+      "Example: striate calibrate pictures --columns 9 --rows 6 --square-mm 25 --out stereo.yaml");
   command
       ->add_option("folder", options->folder, "with left/*.png and right/*.png of the same names")
+      ->type_name("FOLDER")
       ->required();
   command->add_option("--columns", options->board.columns, "corners inside the board, a row")
       ->check(CLI::Range(3, 50))
@@ -131,7 +132,7 @@ void add_calibrate_command(CLI::App& app, int& exit_code) {
   command->add_option("--rows", options->board.rows, "rows of corners")
       ->check(CLI::Range(3, 50))
       ->capture_default_str();
-  command->add_option("--square", options->square_mm, "side of a square, mm")
+  command->add_option("--square-mm", options->square_mm, "side of a square")
       ->check(CLI::Range(1.0, 1000.0))
       ->capture_default_str();
   command->add_option("--out", options->out, "file for the calibration")->capture_default_str();

@@ -42,7 +42,8 @@ void check_file(const std::string& file, const Known& known) {
       (void)simulator::load_world(file);
       break;
     case Kind::task:
-      (void)check_task(file, RobotDescription{}, known ? &*known : nullptr);
+      fmt::print(stderr, "{}",
+                 check_task(file, RobotDescription{}, known ? &*known : nullptr).notices);
       break;
     case Kind::settings:
       (void)load_robot_settings(file);

@@ -7,6 +7,7 @@
 #include "app/commands/commands.hpp"
 #include "app/interrupt.hpp"
 #include "app/robot_settings.hpp"
+#include "config/user_error.hpp"
 #include "platform/pioneer/pioneer_robot.hpp"
 
 namespace striate {
@@ -101,22 +102,33 @@ void add_drive_command(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand(
       "drive",
       "Drives a Pioneer, real or served, and tells what it says.\n"
-      "Examples: striate drive tcp://localhost:8101 --forward 0.3 --way 1\n"
+      "Examples: striate drive tcp://localhost:8101 --forward-m-s 0.3 --way-m 1\n"
       "          striate drive serial:/dev/ttyUSB0?baud=9600 --robot config/robots/pioneer.yaml");
   command
       ->add_option("robot", options->url,
                    "tcp://host:8101, serial:/dev/ttyUSB0?baud=38400 or pty:/dev/pts/3")
+      ->type_name("URL")
       ->required();
-  command->add_option("--forward", options->forward_m_s, "m/s; backwards is negative")
+  command->add_option("--forward-m-s", options->forward_m_s, "backwards is negative")
       ->check(CLI::Range(-0.75, 0.75));
-  command->add_option("--turn", options->turn_deg_s, "deg/s, counter-clockwise")
+  command->add_option("--turn-deg-s", options->turn_deg_s, "counter-clockwise")
       ->check(CLI::Range(-68.0, 68.0));
-  command->add_option("--for", options->for_s, "seconds")->check(CLI::Range(0.0, kLongestDrive_s));
-  command->add_option("--way", options->way_m, "stops after so many metres instead")
-      ->check(CLI::Range(0.0, 100.0));
+  command->add_option("--for-s", options->for_s, "stops after this time")
+      ->check(CLI::Range(0.0, kLongestDrive_s));
+  command->add_option("--way-m", options->way_m, "stops after this way instead")
+      ->check(CLI::Range(0.0, 100.0))
+      ->excludes("--for-s");
   command->add_option("--robot", options->robot, "settings; the section 'pioneer' counts");
   command->add_flag("--force", options->force, "drives a robot of an unknown kind, too");
-  command->callback([options, &exit_code] { exit_code = drive(*options); });
+  command->callback([options, &exit_code] {
+    const bool moves = options->forward_m_s != 0.0 || options->turn_deg_s != 0.0;
+    const bool ends = options->for_s > 0.0 || options->way_m > 0.0;
+    if (moves && !ends) {
+      throw UserError(
+          "striate drive: --forward-m-s and --turn-deg-s do nothing without --for-s or --way-m");
+    }
+    exit_code = drive(*options);
+  });
 }
 
 }  // namespace striate

@@ -2,6 +2,7 @@
 
 #include "app/commands/commands.hpp"
 #include "app/evaluation/evaluation.hpp"
+#include "app/files.hpp"
 
 namespace striate {
 namespace {
@@ -52,11 +53,14 @@ void add_eval_command(CLI::App& app, int& exit_code) {
     auto options = std::make_shared<EvalOptions>();
     options->out = std::string("out/eval_") + kind.name;
     CLI::App* one = command->add_subcommand(kind.name, kind.help);
-    one->add_option("folder", options->folder, "the data")->required();
+    one->add_option("folder", options->folder, "the data")->type_name("FOLDER")->required();
     one->add_option("--out", options->out, "folder for the CSV file and the plot")
+        ->type_name("FOLDER")
         ->capture_default_str();
-    one->callback(
-        [options, &exit_code, evaluate = kind.evaluate] { exit_code = evaluate(*options); });
+    one->callback([options, &exit_code, evaluate = kind.evaluate] {
+      make_folder(options->out);
+      exit_code = evaluate(*options);
+    });
   }
 }
 

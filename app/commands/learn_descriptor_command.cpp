@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "app/command_line/whole_number.hpp"
 #include "app/commands/commands.hpp"
 #include "app/files.hpp"
 #include "app/learning/learn_descriptor.hpp"
@@ -14,10 +15,11 @@ void add_learn_descriptor_command(CLI::App& app, int& exit_code) {
       "learn-descriptor",
       "Learns which V1 responses Striate's 256-bit descriptor compares, from made pictures,\n"
       "and writes the table; building the program anew takes it in.");
-  command->add_option("--pictures", options->pictures, "pictures made")
+  command->add_option("--picture-count", options->pictures, "how many pictures are made")
       ->check(CLI::Range(1, 10000))
       ->capture_default_str();
   command->add_option("--seed", options->seed, "the same seed, the same table")
+      ->check(whole_number_from(0))
       ->capture_default_str();
   command->add_option("--out", options->out, "the file to write")->capture_default_str();
   command->callback([options, &exit_code] {

@@ -79,7 +79,7 @@ void add_memory_change_verbs(CLI::App& command, const SharedMemoryOptions& share
   auto forgotten = std::make_shared<Given>();
   CLI::App* verb = command.add_subcommand(
       "forget", "Forgets a landmark: it is no longer looked for. 'restore' brings it back.");
-  verb->add_option("name", forgotten->name, "the landmark")->required();
+  verb->add_option("name", forgotten->name, "the landmark")->type_name("NAME")->required();
   verb->callback([shared, forgotten, &exit_code] {
     with_memory(shared->file, Access::edit, "forgetting it",
                 [&](MemoryTables& tables, MemoryFile&) {
@@ -90,7 +90,7 @@ void add_memory_change_verbs(CLI::App& command, const SharedMemoryOptions& share
   });
   auto restored = std::make_shared<Given>();
   verb = command.add_subcommand("restore", "Brings a forgotten landmark back, and pins it.");
-  verb->add_option("name", restored->name, "the landmark")->required();
+  verb->add_option("name", restored->name, "the landmark")->type_name("NAME")->required();
   verb->callback([shared, restored, &exit_code] {
     with_memory(shared->file, Access::edit, "restoring it",
                 [&](MemoryTables& tables, MemoryFile&) { restore(tables, restored->name); });

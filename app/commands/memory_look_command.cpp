@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "app/commands/memory_command.hpp"
-#include "app/files.hpp"
 #include "app/memory/memory_json.hpp"
 #include "app/memory/memory_pictures.hpp"
 #include "app/memory/open_memory.hpp"
@@ -14,11 +13,6 @@
 
 namespace striate {
 namespace {
-
-void save_picture(const std::string& file, const cv::Mat3b& picture) {
-  check_writable(file);
-  write_picture(file, picture);
-}
 
 std::string place_text(const Landmark& landmark) {
   if (!landmark.position) return "-";
@@ -93,10 +87,11 @@ void print_shown(const Landmark& landmark, const std::vector<StoredView>& views,
 
 void show(const MemoryCommandOptions& options, const std::string& name,
           const std::string& picture) {
+  check_picture_writable(picture);
   with_memory(options.file, Access::read, "showing it", [&](MemoryTables& tables, MemoryFile&) {
     const Landmark landmark = find_landmark(tables, name);
     const std::vector<StoredView> views = tables.views.of(landmark.id);
-    if (!picture.empty()) save_picture(picture, pictures::draw_views(landmark, views));
+    if (!picture.empty()) write_picture(picture, pictures::draw_views(landmark, views));
     if (options.json) {
       fmt::print("{}", print_json(shown_json(landmark, views)));
     } else {
@@ -148,7 +143,7 @@ void add_show_and_why(CLI::App& command, const SharedMemoryOptions& shared, int&
   };
   auto shown = std::make_shared<Named>();
   CLI::App* verb = command.add_subcommand("show", "Shows one landmark and its views.");
-  verb->add_option("name", shown->name, "the landmark")->required();
+  verb->add_option("name", shown->name, "the landmark")->type_name("NAME")->required();
   verb->add_option("--picture", shown->picture, "writes its views with their keypoints (PNG)");
   verb->callback([shared, shown, &exit_code] {
     show(*shared, shown->name, shown->picture);
@@ -159,8 +154,9 @@ void add_show_and_why(CLI::App& command, const SharedMemoryOptions& shared, int&
       "why",
       "Explains in words and numbers how readily a landmark comes to mind, and whether it\n"
       "will be forgotten. Times are of work: a night in the cupboard does not count.");
-  verb->add_option("name", explained->name, "the landmark")->required();
-  verb->add_option("--goal", explained->goal, "as if the task were after this landmark");
+  verb->add_option("name", explained->name, "the landmark")->type_name("NAME")->required();
+  verb->add_option("--goal", explained->goal, "as if the task were after this landmark")
+      ->type_name("NAME");
   verb->callback([shared, explained, &exit_code] {
     why(*shared, explained->name, explained->goal);
     exit_code = 0;

@@ -58,7 +58,6 @@ void print_map(const std::vector<Landmark>& landmarks, const std::vector<Route>&
 /// PNG or SVG, by the end of the name.
 void draw_map(const std::string& file, const std::vector<Landmark>& landmarks,
               const std::vector<Route>& routes, const std::vector<ObstacleCell>& cells) {
-  check_writable(file);
   if (file.ends_with(".svg")) {
     write_file(file, pictures::memory_map_svg(landmarks, routes, cells));
   } else {
@@ -67,6 +66,11 @@ void draw_map(const std::string& file, const std::vector<Landmark>& landmarks,
 }
 
 void map(const MemoryCommandOptions& options, const std::string& picture) {
+  if (picture.ends_with(".svg")) {
+    check_writable(picture);
+  } else {
+    check_picture_writable(picture);
+  }
   with_memory(options.file, Access::read, "reading its map",
               [&](MemoryTables& tables, MemoryFile&) {
                 const std::vector<Landmark> landmarks = tables.landmarks.all(true);

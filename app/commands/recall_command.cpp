@@ -3,6 +3,7 @@
 #include <memory>
 #include <optional>
 
+#include "app/command_line/whole_number.hpp"
 #include "app/commands/commands.hpp"
 #include "app/files.hpp"
 #include "app/memory/memory_json.hpp"
@@ -43,7 +44,6 @@ void print(const RecallOptions& options, const nlohmann::ordered_json& state) {
 int recall_recording(const RecallOptions& options) {
   std::optional<double> at_s;
   if (!options.at.empty()) at_s = parse_time_s("--at", options.at);
-  if (!options.picture.empty()) check_writable(options.picture);
   ReplayMission mission({options.file, {}, {}});
   std::uint64_t last = 0;
   bool found = false;
@@ -66,7 +66,7 @@ int recall_recording(const RecallOptions& options) {
 }
 
 int run(const RecallOptions& options) {
-  if (options.cycle && !options.at.empty()) throw UserError("--cycle or --at, not both");
+  check_picture_writable(options.picture);
   if (replay::is_recording(options.file)) return recall_recording(options);
   const nlohmann::ordered_json state = read_memory_state(options.file);
   if (options.cycle || !options.at.empty() || !options.picture.empty()) {
@@ -94,9 +94,13 @@ void add_recall_command(CLI::App& app, int& exit_code) {
       ->add_option("file", options->file,
                    "a recording (striate run --record), or the file of striate run --inspect")
       ->required();
-  command->add_option("--cycle", options->cycle,
-                      "the cycle, from 1; the last where nothing is said");
-  command->add_option("--at", options->at, "the first cycle from this time on: \"12.3 s\"");
+  CLI::Option* cycle = command
+                           ->add_option("--cycle", options->cycle,
+                                        "the cycle, from 1; the last where nothing is said")
+                           ->check(whole_number_from(1));
+  command->add_option("--at", options->at, "the first cycle from this time on: \"12.3 s\"")
+      ->type_name("TIME")
+      ->excludes(cycle);
   command->add_option("--picture", options->picture, "writes the map from above (PNG)");
   command->add_flag("--json", options->json, "print JSON instead of text");
   command->callback([options, &exit_code] { exit_code = run(*options); });

@@ -113,10 +113,7 @@ void print_as_json(const ReplayMission& mission, const Comparison& result) {
 }
 
 int run(const ReplayCommandOptions& options) {
-  if (options.picture_every > 0 && options.pictures.empty()) {
-    throw UserError("--picture-every needs a folder: --pictures DIR");
-  }
-  if (!options.pictures.empty()) make_folder(options.pictures);
+  make_folder(options.pictures);
   const Interrupt interrupt;
   ReplayMission mission(options.replay);
   Comparison result;
@@ -149,11 +146,15 @@ void add_replay_command(CLI::App& app, int& exit_code) {
   command->add_option("--robot", options->replay.robot,
                       "other settings than those of the recording");
   command->add_option("--task", options->replay.task, "another task than that of the recording");
+  CLI::Option* pictures =
+      command->add_option("--pictures", options->pictures, "folder for overview pictures")
+          ->type_name("FOLDER");
   command
       ->add_option("--picture-every", options->picture_every,
                    "an overview picture every so many cycles; 0: none")
-      ->check(CLI::Range(0, 1000000));
-  command->add_option("--pictures", options->pictures, "folder for overview pictures");
+      ->check(CLI::Range(0, 1000000))
+      ->needs(pictures);
+  pictures->needs("--picture-every");
   command->add_flag("--json", options->json, "print JSON instead of text");
   command->callback([options, &exit_code] { exit_code = run(*options); });
 }

@@ -4,8 +4,11 @@
 #include <memory>
 #include <string>
 
+#include "app/command_line/whole_number.hpp"
 #include "app/commands/commands.hpp"
-#include "app/commands/run_on_robot.hpp"
+#include "app/commands/run_mission.hpp"
+#include "app/files.hpp"
+#include "app/simulated_body.hpp"
 #include "config/user_error.hpp"
 #ifdef STRIATE_HAS_ROS
 #include "app/ros/replay_bag.hpp"
@@ -17,10 +20,8 @@ namespace striate {
 namespace {
 
 struct RosOptions {
-  RunOnRobotOptions run;
-  std::string world;
-  std::uint64_t seed = 1;  // any; the first run of a series
-  bool no_emergency = false;
+  RunOptions run;
+  WorldOptions world;
 };
 
 struct BagOptions {
@@ -32,32 +33,28 @@ struct BagOptions {
 
 #ifdef STRIATE_HAS_ROS
 
-int run_and_tell(RosOptions& options, ros1::Tells tells, bool cmd_vel_drives) {
-  options.run.mission.emergency_layer = !options.no_emergency;
+int run_and_tell(RosOptions& options, const BodySource& body, ros1::Tells tells,
+                 bool cmd_vel_drives) {
   std::unique_ptr<TellRos> ros;
-  options.run.at_begin = [&](RobotMission& mission) {
+  options.run.at_begin = [&](Mission& mission) {
     ros = std::make_unique<TellRos>(mission, tells);
     if (cmd_vel_drives) mission.set_pilot(cmd_vel_pilot(mission.settings().ros));
     if (options.run.quiet || options.run.json) return;
     fmt::print("on ROS; Ctrl-C ends it\n");
     std::fflush(stdout);
   };
-  options.run.each_cycle = [&](const RobotMission& mission) { ros->tell(mission); };
-  return run_on_robot(options.run);
+  options.run.each_cycle = [&](const Mission& mission) { ros->tell(mission); };
+  return run_mission(options.run, body);
 }
 
 int serve(RosOptions& options) {
-  if (!options.world.empty()) {
-    options.run.mission.body = [&options](const RobotSettings& settings) {
-      return simulated_body(settings, options.world, options.seed);
-    };
-  }
-  return run_and_tell(options, ros1::Tells::body_and_mind, true);
+  const BodySource body =
+      options.world.world.empty() ? real_pioneer() : pioneer_in_real_time(options.world);
+  return run_and_tell(options, body, ros1::Tells::body_and_mind, true);
 }
 
 int run(RosOptions& options) {
-  options.run.mission.body = ros_body;
-  return run_and_tell(options, ros1::Tells::mind, false);
+  return run_and_tell(options, robot_behind_ros(), ros1::Tells::mind, false);
 }
 
 int replay(const BagOptions& options) {
@@ -86,12 +83,13 @@ int replay(const BagOptions& options) {
 void add_common(CLI::App& command, RosOptions& options) {
   command.add_option("--robot", options.run.mission.robot,
                      "settings; the section 'ros' names topics and frames");
-  command.add_option("--var", options.run.given, "a variable of the task, as \"way=20 m\"")
+  command.add_option("--var", options.given, "a variable of the task, as \"way=20 m\"")
+      ->type_name("NAME=VALUE")
       ->take_all();
   command.add_option("--memory", options.run.memory,
                      "the long-term memory that keeps what happens; made where there is none");
   command.add_option("--result", options.run.result, "JSON file for what came of it");
-  command.add_flag("--no-emergency", options.no_emergency, "sonar and laser do nothing");
+  command.add_flag("--no-emergency", options.run.no_emergency, "sonar and laser do nothing");
   command.add_flag("--quiet", options.run.quiet, "print nothing");
   command.add_flag("--json", options.run.json, "print the result as JSON instead of the summary");
 }
@@ -105,10 +103,14 @@ void add_serve(CLI::App& ros, const std::shared_ptr<RosOptions>& options, int& e
       "          striate ros serve config/tasks/corridor.yaml --robot config/robots/pioneer.yaml");
   command->add_option("task", options->run.mission.task,
                       "what the robot does by itself; without it, it stands");
-  command->add_option("--world", options->world,
-                      "the simulated Pioneer in this world, in real time; without it the robot is "
-                      "the one that --robot tells of");
-  command->add_option("--seed", options->seed, "of the world")->capture_default_str();
+  CLI::Option* world = command->add_option(
+      "--world", options->world.world,
+      "the simulated Pioneer in this world, in real time; without it the robot is the one that "
+      "--robot tells of");
+  command->add_option("--seed", options->world.seed, "of the world")
+      ->check(whole_number_from(0))
+      ->needs(world)
+      ->capture_default_str();
   add_common(*command, *options);
   command->callback([options, &exit_code] { exit_code = serve(*options); });
 }
@@ -134,13 +136,20 @@ void add_replay(CLI::App& ros, int& exit_code) {
   command->add_option("bag", options->bag, "the bag")->required();
   command->add_option("--robot", options->robot,
                       "settings; the section 'ros' names topics where they are not found");
-  command->add_option("--out", options->out,
-                      "folder for percepts.jsonl, one line a picture pair, and pictures");
+  CLI::Option* out = command
+                         ->add_option("--out", options->out,
+                                      "folder for percepts.jsonl, one line a picture pair, and "
+                                      "pictures")
+                         ->type_name("FOLDER");
   command
       ->add_option("--picture-every", options->picture_every,
                    "an overview picture every so many picture pairs; 0: none")
-      ->check(CLI::Range(0, 1000000));
-  command->callback([options, &exit_code] { exit_code = replay(*options); });
+      ->check(CLI::Range(0, 1000000))
+      ->needs(out);
+  command->callback([options, &exit_code] {
+    make_folder(options->out);
+    exit_code = replay(*options);
+  });
 }
 
 }  // namespace

@@ -8,18 +8,26 @@
 #include "app/renderer_pictures.hpp"
 #include "app/robot_settings.hpp"
 #include "app/serving/robot_server.hpp"
+#include "config/user_error.hpp"
 #include "platform/simulator/world_reader.hpp"
 
 namespace striate {
+namespace {
+
+constexpr const char* kGroup = "Serving";
+
+}  // namespace
 
 void add_serve_options(CLI::App& command, ServeOptions& options) {
-  const std::string group = "Serving";
+  options.command = &command;
+  const std::string group = kGroup;
   command.add_flag("--serve", options.tcp, "serves the robot on TCP, in real time")->group(group);
   command.add_flag("--pty", options.pty, "base, turret and laser on pseudo-terminals instead")
       ->group(group);
   command
       .add_option("--listen", options.address,
                   "address to listen at; 0.0.0.0 lets other machines drive")
+      ->type_name("ADDRESS")
       ->group(group)
       ->capture_default_str();
   command
@@ -40,33 +48,42 @@ void add_serve_options(CLI::App& command, ServeOptions& options) {
   command.add_option("--corruption", faults.corruption, "share of bytes with a wrong bit, 0 .. 1")
       ->check(CLI::Range(0.0, 1.0))
       ->group(group);
-  command.add_option("--delay", faults.delay_s, "seconds each way")
+  command.add_option("--delay-s", faults.delay_s, "each way")
       ->check(CLI::Range(0.0, 5.0))
       ->group(group);
-  command
-      .add_option("--silent-at", faults.silent_at_s,
-                  "seconds after the connection nothing passes any more; 0 never")
-      ->check(CLI::Range(0.0, 36000.0))
-      ->group(group);
-  command.add_option("--silent-for", faults.silent_for_s, "seconds; then it passes again")
+  CLI::Option* silent_at = command
+                               .add_option("--silent-at-s", faults.silent_at_s,
+                                           "after the connection nothing passes any more; 0 never")
+                               ->check(CLI::Range(0.0, 36000.0))
+                               ->group(group);
+  command.add_option("--silent-for-s", faults.silent_for_s, "then it passes again")
       ->check(CLI::Range(0.0, 36000.0))
       ->group(group)
+      ->needs(silent_at)
       ->capture_default_str();
   command
-      .add_option("--laser-silent-at", options.devices.laser_silent_at_s,
-                  "seconds after the connection the laser says nothing any more; 0 never")
+      .add_option("--laser-silent-at-s", options.devices.laser_silent_at_s,
+                  "after the connection the laser says nothing any more; 0 never")
       ->check(CLI::Range(0.0, 36000.0))
       ->group(group);
   command
-      .add_option("--turret-sticks-at", options.devices.turret_sticks_at_s,
-                  "seconds after the connection something holds the pan servo; 0 never")
+      .add_option("--turret-sticks-at-s", options.devices.turret_sticks_at_s,
+                  "after the connection something holds the pan servo; 0 never")
       ->check(CLI::Range(0.0, 36000.0))
       ->group(group);
   command
-      .add_option("--break-at", faults.break_at_s,
-                  "seconds after the connection it is closed; 0 never")
+      .add_option("--break-at-s", faults.break_at_s, "after the connection it is closed; 0 never")
       ->check(CLI::Range(0.0, 36000.0))
       ->group(group);
+}
+
+void ServeOptions::check() const {
+  if (serves() || command == nullptr) return;
+  for (const CLI::Option* option : command->get_options()) {
+    if (option->get_group() != kGroup || option->count() == 0) continue;
+    throw UserError(
+        fmt::format("striate sim: {} does nothing without --serve or --pty", option->get_name()));
+  }
 }
 
 int serve(const ServeOptions& options) {

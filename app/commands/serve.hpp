@@ -20,6 +20,9 @@ struct ServeOptions {
   std::string world;
   std::string robot;
   std::uint64_t seed = 1;  ///< any; the first run of a series
+  const CLI::App* command = nullptr;  ///< that has these options
+  /// @throws UserError where one of them was given, but nothing is served
+  void check() const;
   [[nodiscard]] bool serves() const { return tcp || pty; }
 };
 

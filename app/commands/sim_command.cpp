@@ -1,12 +1,12 @@
 #include <fmt/format.h>
 
 #include <memory>
-#include <opencv2/imgcodecs.hpp>
-#include <opencv2/imgproc.hpp>
 #include <string>
 
+#include "app/command_line/whole_number.hpp"
 #include "app/commands/commands.hpp"
 #include "app/commands/serve.hpp"
+#include "app/perceive_files.hpp"
 #include "app/place_text.hpp"
 #include "app/robot_settings.hpp"
 #include "config/user_error.hpp"
@@ -34,6 +34,7 @@ struct SimOptions {
 };
 
 int render(const SimOptions& options) {
+  check_picture_writable(options.picture);
   const simulator::World world = simulator::load_world(options.world);
   const simulator::FloorPlan plan = simulator::build_floor_plan(world);
   const Pose2 along = options.at.empty() ? world.start : parse_place(options.at);
@@ -58,10 +59,7 @@ int render(const SimOptions& options) {
     frame = renderer.picture(scene);
   }
   const cv::Mat3b& picture = options.right_eye ? frame.right : frame.left;
-  if (!cv::imwrite(options.picture, picture)) {
-    throw UserError(fmt::format("{}: the picture cannot be written; the name must end in .png",
-                                options.picture));
-  }
+  write_picture(options.picture, picture);
   fmt::print("{}: {} x {} px, at {:.2f} m, {:.2f} m, {:.1f} deg of {}\n", options.picture,
              picture.cols, picture.rows, along.x_m, along.y_m, degrees(along.heading_rad),
              world.name);
@@ -80,22 +78,34 @@ void add_sim_command(CLI::App& app, int& exit_code) {
                          "--at \"12 m, 0.2 m, 5 deg\"\n"
                          "          striate sim config/worlds/corridor_a.yaml --serve");
   command->add_option("world", options->world, "the world file")->required();
-  command->add_option("--picture", options->picture, "PNG to write");
-  command->add_option("--at", options->at,
-                      "along, left of the middle, heading; without it the world's start");
+  CLI::Option* picture = command->add_option("--picture", options->picture, "PNG to write");
+  command
+      ->add_option("--at", options->at,
+                   "along, left of the middle, heading; without it the world's start")
+      ->type_name("PLACE")
+      ->needs(picture);
   command->add_option("--robot", options->robot, "settings of the camera");
-  command->add_option("--tilt", options->tilt_deg, "of the head, degrees, up positive")
+  command->add_option("--tilt-deg", options->tilt_deg, "of the head, up positive")
+      ->needs(picture)
       ->check(CLI::Range(-60.0, 60.0))
       ->capture_default_str();
-  command->add_option("--pan", options->pan_deg, "of the head, degrees, left positive")
+  command->add_option("--pan-deg", options->pan_deg, "of the head, left positive")
+      ->needs(picture)
       ->check(CLI::Range(-120.0, 120.0))
       ->capture_default_str();
-  command->add_option("--width", options->width_px, "of the picture in px; 4:3")
+  command->add_option("--width-px", options->width_px, "of the picture; 4:3")
+      ->needs(picture)
       ->check(CLI::Range(32, 2048));
-  command->add_option("--seed", options->seed, "of the camera's noise")->capture_default_str();
-  command->add_flag("--right", options->right_eye, "the right eye instead");
+  command->add_option("--seed", options->seed, "of the camera's noise")
+      ->check(whole_number_from(0))
+      ->capture_default_str();
+  command->add_flag("--right", options->right_eye, "the right eye instead")->needs(picture);
   add_serve_options(*command, options->serve);
   command->callback([options, &exit_code] {
+    options->serve.check();
+    if (options->serve.serves() && !options->picture.empty()) {
+      throw UserError("striate sim: --picture or --serve, not both");
+    }
     if (options->serve.serves()) {
       options->serve.world = options->world;
       options->serve.robot = options->robot;

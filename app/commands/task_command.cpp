@@ -18,15 +18,12 @@ struct ShowOptions {
 };
 
 int show(const ShowOptions& options) {
+  check_writable(options.svg);
+  check_writable(options.xml);
   const Task task = check_task(options.file, RobotDescription{});
-  if (!options.svg.empty()) {
-    check_writable(options.svg);
-    write_file(options.svg, svg_tree(task.outline));
-  }
-  if (!options.xml.empty()) {
-    check_writable(options.xml);
-    write_file(options.xml, xml_tree(task.outline));
-  }
+  fmt::print(stderr, "{}", task.notices);
+  if (!options.svg.empty()) write_file(options.svg, svg_tree(task.outline));
+  if (!options.xml.empty()) write_file(options.xml, xml_tree(task.outline));
   if (options.svg.empty() && options.xml.empty()) fmt::print("{}", text_tree(task.outline));
   return 0;
 }
@@ -43,11 +40,13 @@ void add_show(CLI::App& command, int& exit_code) {
 
 void add_actions(CLI::App& command, int& exit_code) {
   auto json = std::make_shared<bool>(false);
+  auto name = std::make_shared<std::string>();
   CLI::App* actions = command.add_subcommand(
       "actions", "lists the actions and conditions that a script can use, with an example each");
+  actions->add_option("name", *name, "only this one")->type_name("ACTION");
   actions->add_flag("--json", *json, "print them as JSON");
-  actions->callback([json, &exit_code] {
-    fmt::print("{}", *json ? actions_as_json().dump(2) + "\n" : actions_as_text());
+  actions->callback([json, name, &exit_code] {
+    fmt::print("{}", *json ? actions_as_json(*name).dump(2) + "\n" : actions_as_text(*name));
     exit_code = 0;
   });
 }
@@ -58,7 +57,8 @@ void add_task_command(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand(
       "task",
       "Draws task scripts, and lists what they can be made of.\n"
-      "Example: striate task show config/tasks/corridor.yaml --svg corridor.svg");
+      "Examples: striate task show config/tasks/corridor.yaml --svg corridor.svg\n"
+      "          striate task actions back_up");
   command->require_subcommand(1);
   add_show(*command, exit_code);
   add_actions(*command, exit_code);

@@ -6,7 +6,9 @@
 #include <iostream>
 #include <memory>
 
+#include "app/command_line/whole_number.hpp"
 #include "app/commands/commands.hpp"
+#include "app/files.hpp"
 #include "app/interrupt.hpp"
 #include "app/memory/memory_json.hpp"
 #include "app/memory/open_memory.hpp"
@@ -14,6 +16,7 @@
 #include "app/place_text.hpp"
 #include "app/read_picture.hpp"
 #include "app/robot_settings.hpp"
+#include "app/simulated_body.hpp"
 #include "app/teaching/keep_taught.hpp"
 #include "app/teaching/live_teaching.hpp"
 #include "app/teaching/recorded_teaching.hpp"
@@ -29,7 +32,8 @@ struct TeachOptions {
   std::vector<std::string> images;
   std::string memory = "home.db";
   std::string robot;              ///< settings file; empty: the defaults
-  MissionOptions live;            ///< task and world; without them it learns from pictures
+  std::string task;               ///< with a world: to look at a thing there ...
+  WorldOptions live;              ///< ... without them it learns from pictures
   std::string at;                 ///< where the robot starts; empty: the world's start
   std::string from;               ///< a recording to learn from
   std::vector<std::string> when;  ///< times of it; none: where the robot was taught then
@@ -120,9 +124,12 @@ bool confirmed(const TeachOptions& options) {
 LiveViews views_of_a_run(const TeachOptions& given) {
   TeachOptions options = given;
   if (!options.at.empty()) options.live.start = parse_place(options.at);
-  options.live.robot = options.robot;
+  MissionOptions mission;
+  mission.task = options.task;
+  mission.robot = options.robot;
   const Interrupt interrupt;
-  return take_views(options.live, [](const Mission&) { return Interrupt::requested(); });
+  return take_views(mission, simulated_pioneer(options.live),
+                    [](const Mission&) { return Interrupt::requested(); });
 }
 
 LiveViews views_of_a_recording(const TeachOptions& options) {
@@ -146,12 +153,11 @@ int teach_seen(const TeachOptions& options) {
   std::vector<std::string> remarks;
   const std::vector<StoredView> views = with_structure(seen.views, settings, remarks);
   for (const std::string& remark : remarks) fmt::print(stderr, "{}\n", remark);
-  if (seen.result.outcome != "success" || views.empty()) {
-    const bool poor = seen.result.outcome == "success";
+  if (seen.result.outcome != RunOutcome::success || views.empty()) {
+    const bool poor = seen.result.outcome == RunOutcome::success;
     fmt::print(stderr, "nothing was kept: {}\n",
-               poor ? "too little structure to be recognised"
-                    : seen.result.outcome + " (" + seen.result.reason + ")");
-    return seen.result.outcome == "interrupted" ? 130 : 1;
+               poor ? "too little structure to be recognised" : outcome_text(seen.result));
+    return poor ? 1 : row_of(seen.result.outcome).exit_code;
   }
   if (!confirmed(options)) {
     fmt::print(stderr, "nothing was kept\n");
@@ -175,6 +181,7 @@ void undo(const TeachOptions& options) {
 }
 
 int run(const TeachOptions& options) {
+  check_writable(options.memory);
   if (options.undo) {
     if (!options.name.empty() || !options.images.empty()) {
       throw UserError(
@@ -184,8 +191,8 @@ int run(const TeachOptions& options) {
     undo(options);
     return 0;
   }
-  const bool live = !options.live.task.empty() || !options.live.world.empty();
-  if (live && (options.live.task.empty() || options.live.world.empty())) {
+  const bool live = !options.task.empty() || !options.live.world.empty();
+  if (live && (options.task.empty() || options.live.world.empty())) {
     throw UserError("a robot that is to look at something needs --task and --world");
   }
   const int sources =
@@ -216,26 +223,35 @@ void add_teach_command(CLI::App& app, int& exit_code) {
       "config/robots/sharp_eyes.yaml\n"
       "            --world config/worlds/objects_teach.yaml --at \"2 m, 0.2 m, 90 deg\"\n"
       "Says so where the thing looks like a known one, or has too little structure.");
-  command->add_option("name", options->name, "the name it gets; a known one gets further views");
+  command->add_option("name", options->name, "the name it gets; a known one gets further views")
+      ->type_name("NAME");
   command
       ->add_option("--image", options->images,
                    "a picture that shows the thing and little else, or a folder of such; "
                    "several: several sides")
       ->allow_extra_args(false);
-  command->add_option("--task", options->live.task,
+  command->add_option("--task", options->task,
                       "what the robot does to look at the thing ahead of it: a task with 'teach'");
-  command->add_option("--world", options->live.world, "where the robot is");
-  command->add_option("--at", options->at,
-                      "where it starts: along, left of the middle, heading; without it the world's "
-                      "start");
-  command->add_option("--from", options->from,
-                      "a recording (striate run --record) in which the thing stood ahead");
+  CLI::Option* world = command->add_option("--world", options->live.world, "where the robot is");
+  command
+      ->add_option("--at", options->at,
+                   "where it starts: along, left of the middle, heading; without it the world's "
+                   "start")
+      ->type_name("PLACE")
+      ->needs(world);
+  CLI::Option* from = command->add_option(
+      "--from", options->from, "a recording (striate run --record) in which the thing stood ahead");
   command
       ->add_option("--when", options->when,
-                   "with --from: when it did, as \"12.3 s\"; several: several views; without it "
+                   "when it did, as \"12.3 s\"; several: several views; without it "
                    "where the task taught it")
+      ->type_name("TIME")
+      ->needs(from)
       ->allow_extra_args(false);
-  command->add_option("--seed", options->live.seed, "of the run")->capture_default_str();
+  command->add_option("--seed", options->live.seed, "of the run")
+      ->check(whole_number_from(0))
+      ->needs(world)
+      ->capture_default_str();
   command->add_flag("--yes", options->yes, "keep it without asking");
   command->add_option("--memory", options->memory, "the memory; made where there is none")
       ->capture_default_str();

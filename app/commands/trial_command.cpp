@@ -3,7 +3,9 @@
 #include <cstdio>
 #include <memory>
 
+#include "app/command_line/whole_number.hpp"
 #include "app/commands/commands.hpp"
+#include "app/files.hpp"
 #include "app/objects/object_trial.hpp"
 #include "app/trial/trial.hpp"
 #include "app/trial/trial_merge.hpp"
@@ -33,9 +35,16 @@ void add_merge(CLI::App& trial, int& exit_code) {
       "Joins the shards of a trial into one table. Exit code 1 if runs of it are missing.\n"
       "Results do not say what --robot was: it is not compared, and the commands that show a\n"
       "failed run again have none; add it where the trial had it.");
-  merge->add_option("folders", *folders, "the --out folders of the shards")->required();
-  merge->add_option("--out", *out, "folder for runs.csv and table.md of all")->required();
-  merge->callback([folders, out, &exit_code] { exit_code = merge_trials(*folders, *out); });
+  merge->add_option("folders", *folders, "the --out folders of the shards")
+      ->type_name("FOLDER")
+      ->required();
+  merge->add_option("--out", *out, "folder for runs.csv and table.md of all")
+      ->type_name("FOLDER")
+      ->required();
+  merge->callback([folders, out, &exit_code] {
+    make_folder(*out);
+    exit_code = merge_trials(*folders, *out);
+  });
 }
 
 /// `--objects`: the worlds, where given, are the one to teach in and the one to seek in.
@@ -88,25 +97,38 @@ void add_trial_command(CLI::App& app, int& exit_code) {
       ->check(CLI::Range(1, 256))
       ->capture_default_str();
   command->add_option("--first-seed", options->first_seed, "seed of the first run")
+      ->check(whole_number_from(0))
       ->capture_default_str();
-  command->add_option("--out", options->out, "folder for runs.csv, table.md and the results");
-  command->add_option("--shard", *shard,
-                      "i/n: only every n-th run, for n machines; 'striate trial merge' joins them");
+  command->add_option("--out", options->out, "folder for runs.csv, table.md and the results")
+      ->type_name("FOLDER");
+  command
+      ->add_option("--shard", *shard,
+                   "i/n: only every n-th run, for n machines; 'striate trial merge' joins them")
+      ->type_name("I/N");
   command->add_flag("--no-emergency", *no_emergency,
                     "sonar and laser do nothing: vision alone keeps the robot from touching");
-  command->add_option("--baseline", options->baseline,
-                      "the same behaviours fed with other disparities: paper, sgbm (OpenCV's) or "
-                      "truth; 'striate trial merge' puts them beside Striate's own");
+  command
+      ->add_option("--baseline", options->baseline,
+                   "the same behaviours fed with other disparities: the paper's, OpenCV's SGBM or "
+                   "the true ones; 'striate trial merge' puts them beside Striate's own")
+      ->check(CLI::IsMember({"paper", "sgbm", "truth"}));
   command->add_flag("--quiet", options->quiet, "no progress bar");
-  command->add_flag("--objects", *of_objects,
-                    "instead: teaches eight objects in one world and seeks them in another; --out "
-                    "is all it needs");
+  CLI::Option* instead = command->add_flag("--objects", *of_objects,
+                                           "instead: teaches eight objects in one world and seeks "
+                                           "them in another; --out is all it needs");
+  for (const char* unused :
+       {"--task", "--memory", "--runs", "--jobs", "--shard", "--no-emergency", "--baseline"}) {
+    instead->excludes(command->get_option(unused));
+  }
   command->add_option("--only", objects->only, "with --objects: these, separated by commas")
+      ->type_name("NAMES")
+      ->needs(instead)
       ->delimiter(',');
   command->require_subcommand(0, 1);
   add_merge(*command, exit_code);
   command->callback([=, &exit_code] {
     if (!command->get_subcommands().empty()) return;  // merge has been run
+    make_folder(options->out);
     if (*of_objects) {
       exit_code = run_objects(*options, *objects);
       return;

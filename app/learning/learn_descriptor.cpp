@@ -50,7 +50,7 @@ std::string learn_descriptor(const LearnOptions& options) {
       learned.bits,
       fmt::format("# Striate's 256-bit descriptor: pooled responses compared (point * 16 + "
                   "channel), threshold in\n"
-                  "# thousandths of the mean. Made by: striate learn-descriptor --pictures {} "
+                  "# thousandths of the mean. Made by: striate learn-descriptor --picture-count {} "
                   "--seed {}\n"
                   "# {} patch pairs of made pictures; false positives on them at 95 % recall: "
                   "{:.2f} %\n",

@@ -57,27 +57,12 @@ LandmarkKnowledge read_landmark_knowledge(const std::string& memory) {
   return knowledge;
 }
 
-std::vector<std::string> MissionKnowledge::names() const {
-  std::vector<std::string> names;
-  for (const LandmarkModel& model : landmarks.landmarks) names.push_back(model.record.name);
-  return names;
-}
-
 MissionKnowledge read_mission_knowledge(const std::string& memory) {
-  MissionKnowledge knowledge{read_landmark_knowledge(memory), {}};
+  MissionKnowledge knowledge{read_landmark_knowledge(memory), PlaceKnowledge{}};
   if (memory.empty() || !std::filesystem::exists(memory)) return knowledge;
   with_memory(memory, Access::read, "looking up its places",
               [&](MemoryTables& tables, MemoryFile&) { knowledge.places = read_places(tables); });
   return knowledge;
-}
-
-void hand_over(MissionKnowledge knowledge, const Task& task, const LongTermSettings& settings,
-               CognitiveCycle& cycle) {
-  cycle.know_places(knowledge.places);
-  FamiliarLandmarks landmarks(std::move(knowledge.landmarks), settings);
-  // One at a time can be sought.
-  if (!task.landmarks.empty()) landmarks.seek(task.landmarks.front());
-  cycle.know(std::move(landmarks));
 }
 
 }  // namespace striate

@@ -12,6 +12,7 @@
 #include "app/memory/landmark_knowledge.hpp"
 #include "app/objects/object_places.hpp"
 #include "app/objects/standing_robot.hpp"
+#include "app/simulated_body.hpp"
 #include "app/teaching/keep_taught.hpp"
 #include "app/teaching/live_teaching.hpp"
 #include "config/user_error.hpp"
@@ -61,11 +62,13 @@ void teach_one(const ObjectTrialOptions& options, const simulator::WorldObject& 
                const std::string& memory, Outcome& outcome) {
   MissionOptions mission;
   mission.task = options.task;
-  mission.world = options.teach_world;
   mission.robot = options.robot;
-  mission.seed = options.seed;
-  mission.start = teaching_place(object).along;
-  const LiveViews seen = take_views(mission, [](const Mission&) { return Interrupt::requested(); });
+  WorldOptions world;
+  world.world = options.teach_world;
+  world.seed = options.seed;
+  world.start = teaching_place(object).along;
+  const LiveViews seen = take_views(mission, simulated_pioneer(world),
+                                    [](const Mission&) { return Interrupt::requested(); });
   const LongTermSettings settings = load_robot_settings(options.robot).long_term_memory;
   std::vector<std::string> remarks;
   const std::vector<StoredView> views = with_structure(seen.views, settings, remarks);
@@ -75,9 +78,10 @@ void teach_one(const ObjectTrialOptions& options, const simulator::WorldObject& 
     std::ranges::move(taught.remarks, std::back_inserter(remarks));
   }
   for (const StoredView& view : views) outcome.keypoints += view.keypoints.size();
-  tell(options, fmt::format("taught {}: {} views, {} keypoints{}", object.name, outcome.views,
-                            outcome.keypoints,
-                            seen.result.outcome == "success" ? "" : "; " + seen.result.reason));
+  tell(options,
+       fmt::format("taught {}: {} views, {} keypoints{}", object.name, outcome.views,
+                   outcome.keypoints,
+                   seen.result.outcome == RunOutcome::success ? "" : "; " + seen.result.reason));
   for (const std::string& remark : remarks) tell(options, "  " + remark);
 }
 
@@ -126,8 +130,7 @@ void seek_all(const ObjectTrialOptions& options, const std::string& memory, Outc
       const Pose2 base = plan.at(place.along.x_m, place.along.y_m);
       robot.stand_at({base.x_m, base.y_m, base.heading_rad + place.along.heading_rad});
       Executive executive(load_task("config/tasks/look.yaml", robot.description()));
-      CognitiveCycle cycle(robot, settings, executive);
-      cycle.know(FamiliarLandmarks(knowledge, settings.long_term_memory));
+      CognitiveCycle cycle(robot, settings, executive, {MissionKnowledge{knowledge, {}}});
       seek_from(place, world, cycle, settings.perception.recognition.every, outcomes);
     }
   }

@@ -5,23 +5,18 @@
 #include <utility>
 
 #include "app/recording/setup.hpp"
+#include "app/simulated_body.hpp"
 
 namespace striate {
 
 replay::RecordedSetup setup_of(const Mission& mission) {
-  const MissionOptions& options = mission.options();
   replay::RecordedSetup setup =
-      record_setup(mission.executive().task(), mission.given(), options.robot, mission.settings(),
-                   mission.body().description());
-  setup.world = options.world;
-  setup.seed = options.seed;
+      record_setup(mission.executive().task(), mission.given(), mission.robot_file(),
+                   mission.settings(), mission.body().description());
+  if (mission.simulated() == nullptr) return setup;
+  setup.world = mission.place();
+  setup.seed = mission.simulated()->options().seed;
   return setup;
-}
-
-replay::RecordedSetup setup_of(const RobotMission& mission) {
-  const RobotMissionOptions& options = mission.options();
-  return record_setup(mission.executive().task(), options.given, options.robot, mission.settings(),
-                      mission.body().description());
 }
 
 MissionRecorder::MissionRecorder(std::string file, const std::string& memory)
@@ -31,14 +26,16 @@ MissionRecorder::MissionRecorder(std::string file, const std::string& memory)
   memory_ = copy_of_memory(memory);
 }
 
-void MissionRecorder::begin_with(replay::RecordedSetup setup) {
+void MissionRecorder::begin(const Mission& mission) {
+  if (file_.empty()) return;
+  replay::RecordedSetup setup = setup_of(mission);
   setup.memory_known = memory_known_;
   setup.memory = std::move(memory_);
   recorder_ = std::make_unique<Recorder>(file_, setup);
 }
 
-void MissionRecorder::take(const CognitiveCycle& cycle, const Executive& executive) {
-  if (recorder_) recorder_->take(cycle.trace(), executive);
+void MissionRecorder::take(const Mission& mission) {
+  if (recorder_) recorder_->take(mission.cycle().trace(), mission.executive());
 }
 
 std::string MissionRecorder::finish() {

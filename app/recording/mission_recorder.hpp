@@ -5,14 +5,12 @@
 
 #include "app/mission.hpp"
 #include "app/recording/recorder.hpp"
-#include "app/robot_mission.hpp"
 
 namespace striate {
 
 /// What a run is begun with. The memory is left to the caller.
 /// @throws UserError where a file cannot be read any more
 [[nodiscard]] replay::RecordedSetup setup_of(const Mission& mission);
-[[nodiscard]] replay::RecordedSetup setup_of(const RobotMission& mission);
 
 /// The recording of a mission; watches from outside, as MissionPictures does.
 class MissionRecorder {
@@ -22,19 +20,14 @@ class MissionRecorder {
   MissionRecorder(std::string file, const std::string& memory);
 
   /// Before the first cycle. @throws UserError where nothing can be written; nothing has moved yet.
-  template <class AnyMission>
-  void begin(const AnyMission& mission) {
-    if (!file_.empty()) begin_with(setup_of(mission));
-  }
+  void begin(const Mission& mission);
   /// Called each cycle, before anything ends the task from outside.
-  void take(const CognitiveCycle& cycle, const Executive& executive);
+  void take(const Mission& mission);
   /// Closes the file. What was lost is said on standard error.
   /// @return for the summary: what was kept, in how many bytes; "" without a file
   std::string finish();
 
  private:
-  void begin_with(replay::RecordedSetup setup);
-
   std::string file_;
   bool memory_known_ = false;
   std::vector<std::uint8_t> memory_;

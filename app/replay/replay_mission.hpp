@@ -1,13 +1,11 @@
 #pragma once
 
 #include <deque>
-#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "app/cognitive_cycle.hpp"
-#include "app/drawn_trail.hpp"
-#include "app/recording/setup.hpp"
+#include "app/mission.hpp"
 #include "platform/replay/replay_robot.hpp"
 
 namespace striate {
@@ -31,25 +29,22 @@ class ReplayMission {
 
   /// What was decided otherwise in the cycle of the last step; empty: nothing, bit for bit.
   [[nodiscard]] std::vector<std::string> differences() const;
-  [[nodiscard]] const replay::RecordedCycle& recorded() const { return body_.cycle(); }
-  [[nodiscard]] const CognitiveCycle& cycle() const { return *cycle_; }
-  [[nodiscard]] const Executive& executive() const { return *executive_; }
-  [[nodiscard]] const RobotSettings& settings() const { return settings_; }
-  [[nodiscard]] const RobotDescription& robot() const { return body_.description(); }
+  [[nodiscard]] const replay::RecordedCycle& recorded() const { return body_->cycle(); }
+  [[nodiscard]] const CognitiveCycle& cycle() const { return mission_->cycle(); }
+  [[nodiscard]] const Executive& executive() const { return mission_->executive(); }
+  [[nodiscard]] const RobotSettings& settings() const { return mission_->settings(); }
+  [[nodiscard]] const RobotDescription& robot() const { return body_->description(); }
   [[nodiscard]] const replay::RecordedSetup& setup() const { return reader_.setup(); }
   [[nodiscard]] replay::Ending ending() const { return reader_.ending(); }
   /// Settings that are not as they were recorded: "memory.free_fades 30 s (then 20 s)".
   [[nodiscard]] std::vector<std::string> changed_settings() const;
   /// Where the robot believed to be (odometry frame), oldest first.
-  [[nodiscard]] const std::deque<Point2>& trail() const { return trail_.points(); }
+  [[nodiscard]] const std::deque<Point2>& trail() const { return mission_->trail(); }
 
  private:
   replay::RecordingReader reader_;
-  replay::ReplayRobot body_;
-  RobotSettings settings_;
-  std::unique_ptr<Executive> executive_;
-  std::unique_ptr<CognitiveCycle> cycle_;
-  DrawnTrail trail_;
+  replay::ReplayRobot* body_ = nullptr;  ///< the mission's
+  std::optional<Mission> mission_;
 };
 
 }  // namespace striate

@@ -10,6 +10,7 @@
 
 #include "app/files.hpp"
 #include "app/interrupt.hpp"
+#include "app/mission.hpp"
 #include "app/perceive_files.hpp"
 #include "app/pictures/overview.hpp"
 #include "platform/ros/bag_robot.hpp"
@@ -56,7 +57,7 @@ class Notes {
     make_folder(options_.out);
     lines_.open(options_.out + "/percepts.jsonl");
   }
-  void take(const RobotMission& mission) {
+  void take(const Mission& mission) {
     const CycleTrace& trace = mission.cycle().trace();
     if (trace.senses.stereo.stamp == last_) return;
     last_ = trace.senses.stereo.stamp;
@@ -85,24 +86,26 @@ class Notes {
 }  // namespace
 
 int replay_bag(const ReplayBagOptions& options) {
-  RobotMissionOptions asked;
+  MissionOptions asked;
   asked.robot = options.robot;
-  asked.body = [&options](const RobotSettings& settings) -> RealBody {
-    return {std::make_unique<ros1::BagRobot>(options.bag, settings.ros), options.bag, {}};
-  };
+  const BodySource bag{.wake = [&options](const RobotSettings& settings) -> Body {
+    return {.robot = std::make_unique<ros1::BagRobot>(options.bag, settings.ros),
+            .place = options.bag};
+  }};
   const Interrupt interrupt;
-  RobotMission mission(asked);
+  Mission mission(asked, bag);
   Notes notes(options);
-  const RunResult result = mission.run([&](const RobotMission& running) {
+  const RunResult result = mission.run([&](const Mission& running) {
     notes.take(running);
     return Interrupt::requested();
   });
   notes.finish();
-  if (result.outcome == "lost") throw std::runtime_error(result.reason);
+  if (result.outcome == RunOutcome::lost) throw std::runtime_error(result.reason);
   fmt::print("{}: {} picture pairs in {:.1f} s, {:.1f} m by odometry, {:.1f} ms a cycle\n",
              options.bag, notes.pairs(), result.duration_s, result.distance_m,
              result.mean_cycle_ms);
-  return result.outcome == "interrupted" ? 130 : 0;
+  // That a bag ends is no failure.
+  return result.outcome == RunOutcome::body_ended ? 0 : row_of(result.outcome).exit_code;
 }
 
 }  // namespace striate

@@ -2,8 +2,6 @@
 
 #include <string>
 
-#include "app/robot_mission.hpp"
-
 namespace striate {
 
 /// What `striate ros replay` is asked for.

@@ -14,10 +14,10 @@ constexpr double kOldPicture_s = 0.5;  // five pictures missed, as RosSettings::
 
 }  // namespace
 
-TellRos::TellRos(const RobotMission& mission, ros1::Tells tells)
+TellRos::TellRos(const Mission& mission, ros1::Tells tells)
     : publisher_(mission.settings().ros, mission.body().description(), tells) {}
 
-void TellRos::tell(const RobotMission& mission) {
+void TellRos::tell(const Mission& mission) {
   const CycleTrace& trace = mission.cycle().trace();
   publisher_.publish(trace.senses);
   const DisparityMap& map = trace.percept.disparity;
@@ -34,7 +34,7 @@ void TellRos::tell(const RobotMission& mission) {
   }
 }
 
-ros1::Health TellRos::health_of(const RobotMission& mission) {
+ros1::Health TellRos::health_of(const Mission& mission) {
   const CycleTrace& trace = mission.cycle().trace();
   const double picture_age_s = to_seconds(trace.senses.now - trace.senses.stereo.stamp);
   const std::string hold = mission.hold();
@@ -44,7 +44,7 @@ ros1::Health TellRos::health_of(const RobotMission& mission) {
   health.summary = fmt::format("{}: {}", mission.executive().current_action(),
                                std::string(trace.wish.why.view()));
   health.details = {
-      {"motors", name_of(mission.cycle().arbiter().owner())},
+      {"motors", name_of(trace.driver)},
       {"limited by", name_of(trace.limited_by)},
       {"gate", hold},
       {"picture age s", fmt::format("{:.3f}", picture_age_s)},

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/robot_mission.hpp"
+#include "app/mission.hpp"
 #include "platform/ros/cmd_vel_pilot.hpp"
 #include "platform/ros/ros_publisher.hpp"
 
@@ -9,12 +9,12 @@ namespace striate {
 /// Shows a mission to ROS, and lets ROS drive it.
 class TellRos {
  public:
-  TellRos(const RobotMission& mission, ros1::Tells tells);
+  TellRos(const Mission& mission, ros1::Tells tells);
   /// Once a cycle.
-  void tell(const RobotMission& mission);
+  void tell(const Mission& mission);
 
  private:
-  [[nodiscard]] static ros1::Health health_of(const RobotMission& mission);
+  [[nodiscard]] static ros1::Health health_of(const Mission& mission);
 
   ros1::RosPublisher publisher_;
   TimePoint disparity_stamp_{Duration::min()};

@@ -2,15 +2,14 @@
 
 #include <fmt/format.h>
 
-#include "app/robot_settings.hpp"
 #include "app/teaching/live_teacher.hpp"
 
 namespace striate {
 
-LiveViews take_views(const MissionOptions& options, const Mission::EachCycle& each_cycle) {
-  Mission mission(options);
-  LiveTeacher teacher(load_robot_settings(options.robot).long_term_memory,
-                      mission.body().description());
+LiveViews take_views(const MissionOptions& options, const BodySource& body,
+                     const Mission::EachCycle& each_cycle) {
+  Mission mission(options, body);
+  LiveTeacher teacher(mission.settings().long_term_memory, mission.body().description());
   LiveViews seen;
   seen.result = mission.run([&](const Mission& running) {
     teacher.take(running.cycle().trace());

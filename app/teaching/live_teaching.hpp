@@ -20,7 +20,7 @@ struct LiveViews {
 /// nothing.
 /// @param each_cycle may ask for a safe end, as Mission::run
 /// @throws UserError for mistakes in what was given
-[[nodiscard]] LiveViews take_views(const MissionOptions& mission,
+[[nodiscard]] LiveViews take_views(const MissionOptions& mission, const BodySource& body,
                                    const Mission::EachCycle& each_cycle);
 
 /// The sound views: those with enough structure to be recognised at all. What is left out is said.

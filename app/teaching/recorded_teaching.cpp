@@ -32,7 +32,7 @@ LiveViews take_views(const RecordedTeaching& recorded) {
   LiveViews seen;
   seen.views = teacher.views();
   seen.looked_in_vain = teacher.looked_in_vain();
-  seen.result.outcome = "success";
+  seen.result.outcome = RunOutcome::success;
   return seen;
 }
 

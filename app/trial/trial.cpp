@@ -39,7 +39,7 @@ std::optional<RunResult> finished(const TrialRun& run, const TrialOptions& optio
                     run.result_file, row_name(result.world, result.baseline), result.task,
                     result.emergency_layer ? "on" : "off"));
   }
-  if (result.outcome == "interrupted" || result.outcome == "lost") return std::nullopt;
+  if (!row_of(result.outcome).finished) return std::nullopt;
   return result;
 }
 
@@ -131,7 +131,7 @@ class Trial {
   void show() {
     const std::vector<RunResult> list = done();
     int successes = 0;
-    for (const RunResult& result : list) successes += result.outcome == "success" ? 1 : 0;
+    for (const RunResult& result : list) successes += result.outcome == RunOutcome::success ? 1 : 0;
     const double elapsed_s =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - started_).count();
     const std::size_t now_done = list.size() - (runs_.size() - missing_.size());

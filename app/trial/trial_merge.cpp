@@ -84,7 +84,7 @@ void take_folder(const std::string& folder, Runs& all, std::set<Key>& unfinished
     const Key key{found.result.baseline.empty() ? found.result.world
                                                 : found.result.world + ", " + found.result.baseline,
                   found.result.seed};
-    if (found.result.outcome == "interrupted" || found.result.outcome == "lost") {
+    if (!row_of(found.result.outcome).finished) {
       unfinished.insert(key);
       continue;
     }

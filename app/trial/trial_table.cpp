@@ -37,7 +37,7 @@ void add(Row& row, const RunResult& result) {
   row.touched += result.collisions.empty() ? 0 : 1;
   row.emergency_stops += result.emergency_stops;
   row.longest_stand_s = std::max(row.longest_stand_s, result.longest_stand_s);
-  if (result.outcome != "success") return;
+  if (result.outcome != RunOutcome::success) return;
   ++row.successes;
   row.time_s += result.duration_s;
   row.distance_m += result.distance_m;
@@ -87,9 +87,9 @@ std::string long_stands(const std::vector<RunResult>& results) {
 std::string causes(const std::vector<RunResult>& results) {
   std::map<std::string, int> counts;
   for (const RunResult& result : results) {
-    if (result.outcome == "success") continue;
+    if (result.outcome == RunOutcome::success) continue;
     if (result.collisions.empty()) {
-      ++counts[fmt::format("{}: {}", result.outcome, result.reason)];
+      ++counts[fmt::format("{}: {}", name_of(result.outcome), result.reason)];
       continue;
     }
     const CollisionRecord& hit = result.collisions.front();
@@ -123,8 +123,8 @@ std::string runs_csv(const std::vector<RunResult>& results) {
       "longest_stand_s,mean_cycle_ms,realtime_factor,emergency_layer,baseline,reason,"
       "longest_stand_why\n";
   for (const RunResult& r : results) {
-    csv += fmt::format("{},{},{},{},{},", world_name(r.world), r.seed, r.outcome, r.reached_goal,
-                       r.collisions.size());
+    csv += fmt::format("{},{},{},{},{},", world_name(r.world), r.seed, name_of(r.outcome),
+                       r.reached_goal, r.collisions.size());
     if (r.collisions.empty()) {
       csv += ",,,,,,";
     } else {
@@ -179,7 +179,7 @@ std::string replay_commands(const std::vector<RunResult>& results, const std::st
                             const std::string& memory) {
   std::string text;
   for (const RunResult& result : results) {
-    if (result.outcome == "success") continue;
+    if (result.outcome == RunOutcome::success) continue;
     text += fmt::format(
         "    striate run {} --world {} --seed {}{}{}{}{} --picture-every 10 --pictures "
         "out/replay/{}_seed{:03d}\n",

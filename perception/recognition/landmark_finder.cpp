@@ -43,35 +43,45 @@ double distance_m(const SpacePoint& point) {
 
 }  // namespace
 
-LandmarkFinder::LandmarkFinder(const LandmarkFinderSettings& settings)
-    : settings_(settings), recogniser_(settings.matching) {}
-
-int LandmarkFinder::know(int landmark, const LandmarkView& view) {
-  const int number = recogniser_.add(landmark, view);
-  const auto count = static_cast<std::size_t>(number) + 1;
-  if (landmark_of_view_.size() < count) landmark_of_view_.resize(count);
-  landmark_of_view_[count - 1] = landmark;
-  return number;
-}
-
-void LandmarkFinder::find(const cv::Mat1b& grey, const ViewGeometry& geometry, Percept& percept) {
-  if (!knows_any() || pictures_++ % settings_.every != 0) return;
-  choose_windows(grey, geometry, percept);
-  gather_keypoints(grey);
-  keep_one_a_place(compare(), percept.recognitions);
-  for (Recognition& found : percept.recognitions) place(geometry, percept.disparity, found);
-  for (const LandmarkExpectation& expected : expected_) {
-    percept.expected.push_back({expected.landmark, judge(expected, geometry, percept)});
+LandmarkFinder::LandmarkFinder(const LandmarkFinderSettings& settings,
+                               std::span<const KnownView> views, const Clock* clock)
+    : settings_(settings), recogniser_(settings.matching), clock_(clock) {
+  landmark_of_view_.reserve(views.size());
+  for (const KnownView& known : views) {
+    recogniser_.add(known.landmark, known.view);
+    landmark_of_view_.push_back(known.landmark);
   }
 }
 
+LandmarkLook LandmarkFinder::find(const cv::Mat1b& grey, const ViewGeometry& geometry,
+                                  const Percept& percept, const LandmarkExpectations& expected) {
+  LandmarkLook look;
+  if (views() == 0 || pictures_++ % settings_.every != 0) return look;
+  choose_windows(grey, geometry, percept, expected.places);
+  choose_views(expected.views);
+  gather_keypoints(grey);
+  keep_one_a_place(compare(), look.recognitions);
+  for (Recognition& found : look.recognitions) place(geometry, percept.disparity, found);
+  const auto seen = [&](int landmark) {
+    return std::ranges::any_of(
+        look.recognitions, [&](const Recognition& found) { return found.landmark == landmark; });
+  };
+  for (const LandmarkExpectation& one : expected.places) {
+    const LookResult result =
+        seen(one.landmark) ? LookResult::found : judge(one, geometry, percept, expected.views);
+    look.expected.push_back({one.landmark, result});
+  }
+  return look;
+}
+
 void LandmarkFinder::choose_windows(const cv::Mat1b& grey, const ViewGeometry& geometry,
-                                    const Percept& percept) {
+                                    const Percept& percept,
+                                    std::span<const LandmarkExpectation> expected_places) {
   const int working_px = percept.saliency.salience.cols;
   zoom_ = working_px > 0 ? static_cast<double>(grey.cols) / working_px : 1.0;
   windows_.begin(grey.size(), settings_.most_windows);
   if (geometry.focal_baseline() > 0.0) {
-    for (const LandmarkExpectation& expected : expected_) {
+    for (const LandmarkExpectation& expected : expected_places) {
       // Twice as large: memory's place is not exact.
       windows_.add(zoomed(grown(box_of(expected, geometry), 0.5), zoom_));
     }
@@ -99,17 +109,16 @@ void LandmarkFinder::gather_keypoints(const cv::Mat1b& grey) {
   }
 }
 
-void LandmarkFinder::choose_views() {
+void LandmarkFinder::choose_views(std::span<const int> order) {
   const auto most = static_cast<std::size_t>(settings_.most_views);
-  chosen_.assign(order_.begin(),
-                 order_.begin() + static_cast<std::ptrdiff_t>(std::min(most, order_.size())));
-  if (order_.size() <= most) return;
-  const std::size_t always = most * 3 / 4, others = order_.size() - always;
-  for (std::size_t k = always; k < most; ++k) chosen_[k] = order_[always + turn_++ % others];
+  const std::span<const int> first = order.first(std::min(most, order.size()));
+  chosen_.assign(first.begin(), first.end());
+  if (order.size() <= most) return;
+  const std::size_t always = most * 3 / 4, others = order.size() - always;
+  for (std::size_t k = always; k < most; ++k) chosen_[k] = order[always + turn_++ % others];
 }
 
 const std::vector<Recognition>& LandmarkFinder::compare() {
-  choose_views();
   RecognitionBudget budget;
   if (clock_ != nullptr && settings_.most_time_s > 0.0) {
     budget.goes_on = [clock = clock_, ends = clock_->now() + from_seconds(settings_.most_time_s)] {
@@ -149,10 +158,9 @@ void LandmarkFinder::place(const ViewGeometry& geometry, const DisparityMap& map
   found.height_m = point.z_m;
 }
 
+/// Why an expected landmark was not recognised.
 LookResult LandmarkFinder::judge(const LandmarkExpectation& expected, const ViewGeometry& geometry,
-                                 const Percept& percept) {
-  const auto same = [&](const Recognition& found) { return found.landmark == expected.landmark; };
-  if (std::ranges::any_of(percept.recognitions, same)) return LookResult::found;
+                                 const Percept& percept, std::span<const int> order) {
   const cv::Size size = percept.disparity.disparity_px.size();
   const cv::Rect2d box = box_of(expected, geometry);
   const double away_m = distance_m(expected.place);
@@ -169,17 +177,18 @@ LookResult LandmarkFinder::judge(const LandmarkExpectation& expected, const View
   }
   const bool looked_at = windows_.covered((u_px + 0.5) * zoom_ - 0.5, (v_px + 0.5) * zoom_ - 0.5,
                                           windows_.windows().size());
-  return looked_at && compared(expected.landmark) ? LookResult::missed : LookResult::not_looked_for;
+  return looked_at && compared(expected.landmark, order) ? LookResult::missed
+                                                         : LookResult::not_looked_for;
 }
 
 /// Whether all its views that are looked for were compared with this picture.
-bool LandmarkFinder::compared(int landmark) const {
+bool LandmarkFinder::compared(int landmark, std::span<const int> order) const {
   const auto is_of_it = [&](int view) {
     return landmark_of_view_[static_cast<std::size_t>(view)] == landmark;
   };
   const auto compared = static_cast<std::ptrdiff_t>(recogniser_.looked_at());
   const auto done = std::count_if(chosen_.begin(), chosen_.begin() + compared, is_of_it);
-  return done > 0 && done == std::ranges::count_if(order_, is_of_it);
+  return done > 0 && done == std::ranges::count_if(order, is_of_it);
 }
 
 }  // namespace striate

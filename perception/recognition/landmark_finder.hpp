@@ -21,6 +21,30 @@ struct LandmarkExpectation {
   double half_m = 0.15;  ///< it reaches so far to either side, up and down
 };
 
+/// How memory guides the eye in one picture. Only looks at what is its maker's, who says for how
+/// long it holds. Empty: nothing is looked for.
+struct LandmarkExpectations {
+  /// Numbers of views (their places in the list that the finder was made with) in the order in
+  /// which they are compared, the most active first. Where they are more than the budget, the first
+  /// take three quarters of it, and the others take turns from picture to picture. Views that are
+  /// not in it are not looked for.
+  std::span<const int> views;
+  /// Where landmarks are expected; the first are looked at first.
+  std::span<const LandmarkExpectation> places;
+};
+
+/// What looking for landmarks in one picture came to; both empty where it was not its turn.
+struct LandmarkLook {
+  std::vector<Recognition> recognitions;  ///< most inliers first
+  std::vector<ExpectedLook> expected;     ///< of each landmark that was expected somewhere
+};
+
+/// What a landmark looks like; landmarks are numbered by whoever remembers them.
+struct KnownView {
+  int landmark = 0;
+  LandmarkView view;
+};
+
 /// Looks for landmarks in a picture: where memory expects one, then in the salient regions, most
 /// salient first. Keypoints of those windows, found at the camera's full size, are compared with
 /// the views in the order that memory gives. The paper's section on recognition.
@@ -29,47 +53,38 @@ struct LandmarkExpectation {
 /// it does nothing. Buffers are kept.
 class LandmarkFinder {
  public:
-  /// @throws UserError for settings out of range.
-  explicit LandmarkFinder(const LandmarkFinderSettings& settings);
+  /// @param clock what the setting `most_time` is measured with; it must outlive this. nullptr:
+  /// there is no limit of time.
+  /// @throws UserError for settings out of range, std::invalid_argument as Recogniser::add.
+  explicit LandmarkFinder(const LandmarkFinderSettings& settings,
+                          std::span<const KnownView> views = {}, const Clock* clock = nullptr);
 
-  /// @return the view's number, for look_for(). @throws std::invalid_argument as Recogniser::add.
-  int know(int landmark, const LandmarkView& view);
-  [[nodiscard]] bool knows_any() const { return recogniser_.size() > 0; }
-  /// Views in the order in which they are compared, the most active first. Where they are more than
-  /// the budget, the first take three quarters of it, and the others take turns from picture to
-  /// picture. Views that are not in it are not looked for.
-  void look_for(std::span<const int> views) { order_.assign(views.begin(), views.end()); }
-  /// For the next pictures, until it is called again. The first are looked at first.
-  void expect(std::span<const LandmarkExpectation> places) {
-    expected_.assign(places.begin(), places.end());
-  }
-  /// What the setting `most_time` is measured with; it must outlive this. Without one there is no
-  /// limit of time.
-  void set_clock(const Clock* clock) { clock_ = clock; }
+  [[nodiscard]] std::size_t views() const { return recogniser_.size(); }
 
-  /// Fills `percept.recognitions` and `percept.expected`, where this picture's turn has come.
-  /// @param grey the left picture at the camera's full size; the percept's disparity and salient
-  /// regions are at the working size
-  void find(const cv::Mat1b& grey, const ViewGeometry& geometry, Percept& percept);
+  /// Looks where this picture's turn has come.
+  /// @param grey the left picture at the camera's full size
+  /// @param percept of the same picture; its disparity and salient regions are at the working size
+  [[nodiscard]] LandmarkLook find(const cv::Mat1b& grey, const ViewGeometry& geometry,
+                                  const Percept& percept, const LandmarkExpectations& expected);
 
  private:
-  void choose_windows(const cv::Mat1b& grey, const ViewGeometry& geometry, const Percept& percept);
+  void choose_windows(const cv::Mat1b& grey, const ViewGeometry& geometry, const Percept& percept,
+                      std::span<const LandmarkExpectation> expected);
   void gather_keypoints(const cv::Mat1b& grey);
-  void choose_views();
+  void choose_views(std::span<const int> order);
   [[nodiscard]] const std::vector<Recognition>& compare();
   void keep_one_a_place(const std::vector<Recognition>& found,
                         std::vector<Recognition>& kept) const;
   void place(const ViewGeometry& geometry, const DisparityMap& map, Recognition& found);
   [[nodiscard]] LookResult judge(const LandmarkExpectation& expected, const ViewGeometry& geometry,
-                                 const Percept& percept);
-  [[nodiscard]] bool compared(int landmark) const;
+                                 const Percept& percept, std::span<const int> order);
+  [[nodiscard]] bool compared(int landmark, std::span<const int> order) const;
 
   LandmarkFinderSettings settings_;
   Recogniser recogniser_;
   std::vector<int> landmark_of_view_;
-  std::vector<int> order_, chosen_;
+  std::vector<int> chosen_;
   std::size_t turn_ = 0;  ///< of the views beyond the budget, the next one
-  std::vector<LandmarkExpectation> expected_;
   const Clock* clock_ = nullptr;
   std::int64_t pictures_ = 0;
 

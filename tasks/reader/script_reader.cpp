@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "config/map_reader.hpp"
 #include "tasks/fault.hpp"
 
 namespace striate {
@@ -39,6 +38,7 @@ Script ScriptReader::read(Node root) {
   int version = 1;
   if (map.require("striate")) map.integer("striate", version, {1, 1});
   map.text("mission", task.mission);
+  read_goal(map);
   map.raw("vars");
   if (const Node* needs = map.raw("needs")) read_needs(*needs);
   const Node* always = map.raw("always");
@@ -46,6 +46,25 @@ Script ScriptReader::read(Node root) {
   if (map.require("do")) build(always, *map.raw("do"), finally);
   map.finish();
   return std::move(script_);
+}
+
+/// Until version 0.1 a task that declared the variable `way` had the goal line as its goal.
+void ScriptReader::read_goal(config::MapReader& map) {
+  static const std::vector<std::string> kGoals = {"steps", "line"};
+  int goal = 0;
+  const bool said = map.choice("goal", goal, kGoals);
+  script_.task.goal = goal == 1 ? TaskGoal::line : TaskGoal::steps;
+  const bool used_by_another = context_.files.size() > 1;
+  if (said || map.raw("goal") != nullptr || used_by_another) return;
+  const Node::Entry* vars = map.node().find("vars");
+  const Node::Entry* way = vars == nullptr ? nullptr : vars->value.find("way");
+  if (way == nullptr) return;
+  script_.task.goal = TaskGoal::line;
+  script_.task.notices += fmt::format(
+      "{}:{}:{}: note: a variable 'way' no longer says that the mission ends at the goal line\n"
+      "    write 'goal: line' above 'do' ('goal: steps' if it does not end there); until the next "
+      "version it is read as 'goal: line'\n",
+      mistakes_.file(), way->key_place.line, way->key_place.column);
 }
 
 void ScriptReader::put_in(const Variables& variables, Node& node) {
@@ -59,7 +78,6 @@ Variables ScriptReader::variables_of(const Node& root) {
   if (const Node::Entry* entry = root.find("vars")) {
     variables = read_variables(entry->value, mistakes_);
   }
-  for (const auto& [name, variable] : variables) script_.task.variables.push_back(name);
   needed_parameters(root, variables);
   for (auto& [name, variable] : variables) {
     script_.parameters.push_back(name);
@@ -78,6 +96,7 @@ void ScriptReader::needed_parameters(const Node& root, Variables& variables) {
     Variable& variable = variables[name];
     variable.value.kind = Node::Kind::scalar;
     variable.value.open = true;
+    script_.task.variables.push_back(name);
     if (given_.find(name) != given_.end()) continue;
     script_.missing.push_back(name);
     const bool alone = context_.files.size() == 1;
@@ -173,6 +192,7 @@ void ScriptReader::build(const Node* always, const Node& steps, const Node* fina
   Outline& outline = script_.task.outline;
   outline.kind = Outline::Kind::task;
   outline.name = script_.task.mission.empty() ? script_.task.file : script_.task.mission;
+  if (script_.task.goal == TaskGoal::line) outline.until = "the goal line";
   std::vector<Guard> guards;
   if (always != nullptr) {
     Outline shown;

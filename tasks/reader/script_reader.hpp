@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "config/map_reader.hpp"
 #include "tasks/reader/step_reader.hpp"
 #include "tasks/reader/variables.hpp"
 
@@ -18,7 +19,7 @@ struct Script {
   std::vector<std::string> missing;     ///< needed parameters that were not given
 };
 
-/// Reads one file: vars, needs, always, do, finally.
+/// Reads one file: goal, vars, needs, always, do, finally.
 class ScriptReader {
  public:
   /// @param given values of parameters and variables.
@@ -32,6 +33,7 @@ class ScriptReader {
   Variables variables_of(const config::Node& root);
   void put_in(const Variables& variables, config::Node& node);
   void needed_parameters(const config::Node& root, Variables& variables);
+  void read_goal(config::MapReader& map);
   void read_needs(const config::Node& node);
   std::vector<std::string> names(const config::Node* node, const char* what);
   void check_landmarks(const config::Node& list);

@@ -17,7 +17,8 @@ void draw(const Outline& node, const std::string& before, std::string& text) {
 }  // namespace
 
 std::string text_tree(const Outline& task) {
-  std::string text = title_of(task) + "\n";
+  const std::string limits = limits_of(task);
+  std::string text = title_of(task) + (limits.empty() ? "\n" : "  (" + limits + ")\n");
   draw(task, "", text);
   return text;
 }

@@ -31,7 +31,9 @@ class XmlWriter {
     std::string outer;
     outer.swap(body_);
     const int outer_depth = std::exchange(depth_, 2);
-    open("Control", "Task", {}, nullptr);
+    std::vector<Outline::Argument> goal;
+    if (task.kind == Outline::Kind::task && !task.until.empty()) goal = {{"goal", "line"}};
+    open("Control", "Task", goal, nullptr);
     for (const Outline& part : task.children) {
       if (part.kind != Outline::Kind::always) {
         node(part);

@@ -8,6 +8,7 @@
 #include "app/cognitive_cycle.hpp"
 #include "app/mission.hpp"
 #include "app/robot_settings.hpp"
+#include "app/simulated_body.hpp"
 #include "memory/long_term/memory_writer.hpp"
 #include "tasks/task_reader.hpp"
 #include "tests/reference/temporary_folder.hpp"
@@ -48,13 +49,13 @@ class Remembered : public Robot {
 MissionOptions mission() {
   MissionOptions options;
   options.task = STRIATE_SOURCE_DIR "/config/tasks/corridor.yaml";
-  options.world = STRIATE_SOURCE_DIR "/config/worlds/short.yaml";
   return options;
 }
 
 std::vector<Senses> sensed(std::size_t cycles) {
   std::vector<Senses> all;
-  Mission drive(mission());
+  Mission drive(mission(),
+                simulated_pioneer({.world = STRIATE_SOURCE_DIR "/config/worlds/short.yaml"}));
   drive.run([&](const Mission& now) {
     all.push_back(now.cycle().trace().senses);
     all.back().stereo.left = all.back().stereo.left.clone();

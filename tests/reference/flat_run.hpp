@@ -46,9 +46,9 @@ class Loop {
     if (cycles == 2) behaviour.start(memory);
     Wish wish = cycles < 2 ? standing_wish(memory, "waits for eyes") : behaviour.tick(memory);
     arbiter.offer(MotorOwner::behaviour, wish);
-    const MotorCommand command = limiter.limit(arbiter.decide(senses.now), senses, memory);
-    memory.remember(command, name);
-    world.send(held ? MotorCommand{} : command);
+    limited = limiter.limit(arbiter.decide(senses.now), senses, memory);
+    memory.remember(limited.command, name);
+    world.send(held ? MotorCommand{} : limited.command);
     return wish;
   }
 
@@ -77,6 +77,7 @@ class Loop {
   ShortTermMemory memory;
   SafetyLimiter limiter;
   Arbiter arbiter;
+  Limited limited;  ///< in the last cycle
   Senses senses;
   Percept arrived;
   std::deque<Percept> pictures;

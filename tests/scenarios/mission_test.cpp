@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "app/simulated_body.hpp"
 #include "tests/scenarios/striate_process.hpp"
 
 namespace striate::scenarios {
@@ -12,12 +13,14 @@ namespace {
 
 const std::string kRoot = std::string(STRIATE_SOURCE_DIR "/");
 
-MissionOptions short_mission() {
+MissionOptions corridor_task() {
   MissionOptions options;
   options.task = kRoot + "config/tasks/corridor.yaml";
-  options.world = kRoot + "config/worlds/short.yaml";
-  options.seed = 3;
   return options;
+}
+
+BodySource in_short_world() {
+  return simulated_pioneer({.world = kRoot + "config/worlds/short.yaml", .seed = 3});
 }
 
 nlohmann::json without_wall_clock(const std::string& file) {
@@ -89,24 +92,24 @@ TEST(ShortMission, CtrlCStopsTheRobotAndStillWritesTheResult) {
 }
 
 TEST(ShortMission, AnInterruptionBringsTheWheelsToAStandBeforeTheEnd) {
-  Mission mission(short_mission());
+  Mission mission(corridor_task(), in_short_world());
   bool drove = false;
   const RunResult result = mission.run([&](const Mission& running) {
     drove = drove || running.cycle().trace().senses.odometry.forward_m_s > 0.2;
     return drove;
   });
   EXPECT_TRUE(drove);
-  EXPECT_EQ(result.outcome, "interrupted");
+  EXPECT_EQ(result.outcome, RunOutcome::interrupted);
   EXPECT_EQ(mission.cycle().trace().sent.forward_m_s, 0.0);
   EXPECT_EQ(mission.cycle().trace().sent.turn_rad_s, 0.0);
 }
 
 TEST(CameraFault, NoPictureForHalfASecondMeansStopAndNothingMovesUntilItSeesAgain) {
   const TemporaryFolder folder;
-  MissionOptions options = short_mission();
+  MissionOptions options = corridor_task();
   options.robot = folder.write(
       "r.yaml", "simulator: {faults: {camera_stops_at: 6 s, camera_returns_at: 10 s}}\n");
-  Mission mission(options);
+  Mission mission(options, in_short_world());
   bool drove_before = false;
   bool drove_after = false;
   double worst_age_driving_s = 0.0;

@@ -136,8 +136,8 @@ TEST(ServedPioneer, AKilledClientIsStoppedByTheWatchdog) {
   const pid_t child = fork();
   if (child == 0) {
     if (freopen("/dev/null", "w", stdout) == nullptr) _exit(99);
-    execl(STRIATE_BINARY, STRIATE_BINARY, "drive", served.url().c_str(), "--forward", "0.3",
-          "--for", "60", nullptr);
+    execl(STRIATE_BINARY, STRIATE_BINARY, "drive", served.url().c_str(), "--forward-m-s", "0.3",
+          "--for-s", "60", nullptr);
     _exit(98);
   }
   EXPECT_LT(served.until([](auto& s) { return s.true_forward_m_s > 0.29; }, 10.0), 10.0);

@@ -34,9 +34,10 @@ inline std::string read_text(const std::string& file) {
 
 using reference::TemporaryFolder;
 
+/// Runs a program in the source tree.
 /// @param signal_after when not zero, SIGINT is sent after this time.
-inline Ended striate(const std::vector<std::string>& arguments,
-                     std::chrono::milliseconds signal_after = {}) {
+inline Ended run_program(std::vector<std::string> words,
+                         std::chrono::milliseconds signal_after = {}) {
   const TemporaryFolder folder;
   const std::string out_file = folder / "out";
   const std::string err_file = folder / "err";
@@ -46,8 +47,6 @@ inline Ended striate(const std::vector<std::string>& arguments,
         freopen(err_file.c_str(), "w", stderr) == nullptr) {
       _exit(99);
     }
-    std::vector<std::string> words = {STRIATE_BINARY};
-    words.insert(words.end(), arguments.begin(), arguments.end());
     std::vector<char*> argv;
     for (std::string& word : words) argv.push_back(word.data());
     argv.push_back(nullptr);
@@ -61,6 +60,19 @@ inline Ended striate(const std::vector<std::string>& arguments,
   int status = 0;
   waitpid(child, &status, 0);
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_text(out_file), read_text(err_file)};
+}
+
+/// @param signal_after when not zero, SIGINT is sent after this time.
+inline Ended striate(const std::vector<std::string>& arguments,
+                     std::chrono::milliseconds signal_after = {}) {
+  std::vector<std::string> words = {STRIATE_BINARY};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  return run_program(std::move(words), signal_after);
+}
+
+/// Lines of bash, in which "$striate" is the command.
+inline Ended bash(const std::string& script) {
+  return run_program({"/bin/bash", "-c", "striate='" STRIATE_BINARY "'\n" + script});
 }
 
 }  // namespace striate::scenarios

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/mission.hpp"
+#include "app/simulated_body.hpp"
 #include "tasks/task_reader.hpp"
 #include "tests/scenarios/striate_process.hpp"
 
@@ -18,9 +19,11 @@ const std::string kRoot = std::string(STRIATE_SOURCE_DIR "/");
 MissionOptions mission_of(const std::string& task) {
   MissionOptions options;
   options.task = kRoot + "config/tasks/" + task;
-  options.world = kRoot + "config/worlds/short.yaml";
-  options.seed = 3;
   return options;
+}
+
+BodySource in_short_world() {
+  return simulated_pioneer({.world = kRoot + "config/worlds/short.yaml", .seed = 3});
 }
 
 /// What was wanted and sent in a cycle, bit for bit.
@@ -36,7 +39,7 @@ TEST(Decisions, AreTheSameBitForBitInASecondRunAndWhenMadeAgainFromWhatWasSensed
   std::vector<std::string> first;
   std::vector<std::string> second;
   for (std::vector<std::string>* run : {&first, &second}) {
-    Mission mission(mission_of("corridor.yaml"));
+    Mission mission(mission_of("corridor.yaml"), in_short_world());
     // The mind once more, beside the one that drives: it gets what was sensed and seen.
     const RobotSettings settings = load_robot_settings("");
     const RobotDescription& robot = mission.body().description();
@@ -48,14 +51,13 @@ TEST(Decisions, AreTheSameBitForBitInASecondRunAndWhenMadeAgainFromWhatWasSensed
       const CycleTrace& trace = running.cycle().trace();
       run->push_back(decision(trace.wish, trace.sent, running.executive().current_action()));
       memory.update(trace.senses, trace.percept);
-      const Wish wish = executive.tick(memory, trace.senses.now);
-      arbiter.offer(executive.owner(), wish);
-      const MotorCommand sent =
-          limiter.limit(arbiter.decide(trace.senses.now), trace.senses, memory);
-      memory.remember(sent, executive.current_action());
+      const TaskDecision task = executive.tick(memory, trace.senses.now);
+      const Claim chosen = arbiter.decide({task.claim}, trace.senses.now);
+      const MotorCommand sent = limiter.limit(chosen.wish, trace.senses, memory).command;
+      memory.remember(sent, task.doing);
       const bool going = to_seconds(trace.senses.now) < 12.0;
       if (going) {
-        EXPECT_EQ(run->back(), decision(wish, sent, executive.current_action()));
+        EXPECT_EQ(run->back(), decision(task.claim.wish, sent, task.doing));
       }
       return !going;
     });
@@ -67,13 +69,13 @@ TEST(Decisions, AreTheSameBitForBitInASecondRunAndWhenMadeAgainFromWhatWasSensed
 TEST(RoundTrip, GoesAlmostToTheEndAndComesBackByVisionAlone) {
   MissionOptions options = mission_of("round_trip.yaml");
   options.emergency_layer = false;
-  Mission mission(options);
+  Mission mission(options, in_short_world());
   double farthest_m = 0.0;
   const RunResult result = mission.run([&](const Mission& running) {
     farthest_m = std::max(farthest_m, running.cycle().memory().progress_m());
     return to_seconds(running.cycle().trace().senses.now) > 240.0;
   });
-  EXPECT_EQ(result.outcome, "success") << result.reason;
+  EXPECT_EQ(result.outcome, RunOutcome::success) << result.reason;
   EXPECT_TRUE(result.collisions.empty());
   EXPECT_FALSE(result.reached_goal);
   EXPECT_GT(farthest_m, 9.0);
@@ -83,8 +85,7 @@ TEST(RoundTrip, GoesAlmostToTheEndAndComesBackByVisionAlone) {
 
 TEST(Explore, GoesRoundTheBendOfAnUnknownCorridorAndComesBack) {
   const TemporaryFolder folder;
-  MissionOptions options;
-  options.world = folder.write("bend.yaml", R"(striate_world: 1
+  const std::string world = folder.write("bend.yaml", R"(striate_world: 1
 name: bend
 corridor: {length: 10 m, width: 2.2 m, height: 2.7 m}
 turns: [{at: 5 m, angle: 90 deg}]
@@ -98,13 +99,14 @@ lights: [{from: 0 m, to: 10 m, every: 2.5 m, level: 1.0}]
 start: {at: [1.0 m, 0 m], heading: 0 deg}
 goal: {beyond: 7.5 m}
 )");
+  MissionOptions options;
   options.task = folder.write("short.yaml", "striate: 1\ndo:\n  - use: " + kRoot +
                                                 "config/tasks/explore.yaml\n"
                                                 "    with: {longest: 90 s}\n");
-  options.seed = 3;
   options.emergency_layer = false;
-  const RunResult result = Mission(options).run([](const Mission&) { return false; });
-  EXPECT_EQ(result.outcome, "success") << result.reason;
+  Mission mission(options, simulated_pioneer({.world = world, .seed = 3}));
+  const RunResult result = mission.run([](const Mission&) { return false; });
+  EXPECT_EQ(result.outcome, RunOutcome::success) << result.reason;
   EXPECT_TRUE(result.reached_goal) << "round the bend";
   EXPECT_TRUE(result.collisions.empty());
   ASSERT_TRUE(result.from_start_m.has_value());

@@ -181,7 +181,7 @@ TEST_F(Perceive, RefusesImpossibleOptions) {
   EXPECT_THAT(error(), testing::HasSubstr("--baseline-m"));
   options_ = good;
   options_.width_px = 5000;
-  EXPECT_THAT(error(), testing::HasSubstr("--width"));
+  EXPECT_THAT(error(), testing::HasSubstr("--width-px"));
   options_ = good;
   options_.setting = "magic";
   EXPECT_THAT(error(), testing::HasSubstr("paper or robust"));

@@ -28,7 +28,7 @@ RunResult run(const std::string& world, std::uint64_t seed, bool success) {
   result.world = "config/worlds/" + world + ".yaml";
   result.task = "t.yaml";
   result.seed = seed;
-  result.outcome = success ? "success" : "collision";
+  result.outcome = success ? RunOutcome::success : RunOutcome::collision;
   result.distance_m = 57.0;
   result.duration_s = 150.0;
   if (!success) result.collisions.push_back({12.5, 3.25, -0.5, "table_1", 0.1, false});
@@ -116,7 +116,7 @@ TEST(TrialMerge, JoinsFoldersAndRefusesWhatDoesNotBelongTogether) {
   EXPECT_THAT(testing::internal::GetCapturedStdout(), HasSubstr("| corridor_a | 1 / 2 | 50 % |"));
   EXPECT_TRUE(std::filesystem::exists(base + "/all/runs.csv"));
   RunResult lost = run("corridor_a", 5, false);
-  lost.outcome = "lost";
+  lost.outcome = RunOutcome::lost;
   put("5", lost);
   testing::internal::CaptureStdout();
   testing::internal::CaptureStderr();

@@ -47,6 +47,19 @@ TEST(Arbiter, AWishLapsesAfterTwoHundredMilliseconds) {
   EXPECT_EQ(arbiter.owner(), MotorOwner::nobody);
 }
 
+TEST(Arbiter, AmongTheClaimsOfOneCycleTheFirstThatIsFreshDrivesAndNobodyElseHoldsTheMotors) {
+  Arbiter arbiter;
+  arbiter.offer(MotorOwner::guard, wish(0.0, 500));
+  const Claim behaviour{MotorOwner::behaviour, wish(0.4, 500)};
+  const Claim pilot{MotorOwner::pilot, wish(0.2, 500)};
+  const Claim old_pilot{MotorOwner::pilot, wish(0.2, 299)};
+  EXPECT_EQ(arbiter.decide({behaviour, pilot}, at_ms(500)).owner, MotorOwner::pilot);
+  const Claim won = arbiter.decide({behaviour, old_pilot}, at_ms(500));
+  EXPECT_EQ(won.owner, MotorOwner::behaviour);
+  EXPECT_EQ(won.wish.forward_m_s, 0.4);
+  EXPECT_EQ(arbiter.decide({}, at_ms(500)).owner, MotorOwner::nobody);
+}
+
 TEST(Arbiter, AnOwnerThatFallsSilentGivesWayToTheNext) {
   Arbiter arbiter;
   arbiter.offer(MotorOwner::guard, wish(0.0, 100));

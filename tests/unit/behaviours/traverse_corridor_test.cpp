@@ -161,7 +161,7 @@ TEST(TraverseCorridor, StandsWhenPicturesStopComing) {
   ASSERT_GT(loop.world.forward_m_s(), 0.3);
   loop.camera_off = true;
   for (int i = 0; i < 12; ++i) loop.cycle(behaviour, "traverse_corridor");
-  EXPECT_EQ(loop.limiter.reason(), LimitReason::picture_old);
+  EXPECT_EQ(loop.limited.reason, LimitReason::picture_old);
   EXPECT_NEAR(loop.world.forward_m_s(), 0.0, 1e-6);
 }
 

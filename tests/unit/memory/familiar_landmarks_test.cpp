@@ -1,5 +1,6 @@
 #include "memory/familiar_landmarks.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "tests/reference/looks.hpp"
@@ -29,9 +30,7 @@ LandmarkModel model(std::int64_t id, const std::string& name, double used_before
 class Looking {
  public:
   explicit Looking(std::vector<LandmarkModel> models)
-      : landmarks_({std::move(models), {}, 1000.0}, {}) {
-    landmarks_.hand_over(finder_);
-  }
+      : landmarks_({std::move(models), {}, 1000.0}, {}) {}
 
   /// One cycle with a picture in which these were recognised, 2 m ahead.
   const std::vector<LandmarkLesson>& cycle(const std::vector<int>& recognised,
@@ -46,17 +45,16 @@ class Looking {
       percept.recognitions.push_back(found);
     }
     percept.expected = expected;
-    landmarks_.guide(memory_, pose_, finder_);
-    memory_.update(senses_at(ms_, pose_), percept);
-    sightings_ = landmarks_.name(percept);
-    for (const LandmarkSighting& sighting : sightings_) memory_.recognise(sighting);
-    const auto& lessons = landmarks_.learn(percept, memory_);
-    EXPECT_TRUE(landmarks_.name(percept).empty()) << "a picture is named once";
-    return lessons;
+    expected_ = landmarks_.expectations(memory_, pose_);
+    const Senses senses = senses_at(ms_, pose_);
+    const Recognised& recognised = landmarks_.recognised(percept, senses, memory_);
+    sightings_ = recognised.sightings;
+    memory_.update(senses, percept, sightings_);
+    return recognised.lessons;
   }
   void stand_at(double x_m) { pose_.x_m = x_m; }
 
-  LandmarkFinder finder_{LandmarkFinderSettings{}};
+  LandmarkExpectations expected_;
   ShortTermMemory memory_{{}, {}};
   FamiliarLandmarks landmarks_;
   std::vector<LandmarkSighting> sightings_;
@@ -109,15 +107,45 @@ TEST(FamiliarLandmarks, OneSightingBreaksARowOfMisses) {
   EXPECT_TRUE(robot.cycle({}, missed).empty());
 }
 
+TEST(FamiliarLandmarks, ViewsAreLookedForMostActiveFirstByTheirPlaceInTheListOfAllViews) {
+  LandmarkModel two_sides = model(9, "cup", 20.0);
+  two_sides.views.push_back(two_sides.views.front());
+  const std::vector<LandmarkModel> models = {model(7, "book", 30.0), two_sides};
+  const std::vector<KnownView> views = views_of({models, {}, 1000.0});
+  ASSERT_EQ(views.size(), 3U);
+  EXPECT_EQ(views[0].landmark, 0);
+  EXPECT_EQ(views[2].landmark, 1);
+  Looking robot(models);
+  robot.cycle({});
+  EXPECT_THAT(robot.expected_.views, testing::ElementsAre(1, 2, 0));
+  EXPECT_TRUE(robot.expected_.places.empty());
+}
+
+TEST(FamiliarLandmarks, WhatTheTaskSeeksComesFirst) {
+  const std::vector<LandmarkModel> models = {model(7, "book", 30.0), model(9, "cup", 20.0)};
+  ShortTermMemory memory({}, {});
+  FamiliarLandmarks landmarks({models, {}, 1000.0}, {}, "book");
+  EXPECT_THAT(landmarks.expectations(memory, {}).views, testing::ElementsAre(0, 1));
+}
+
+TEST(FamiliarLandmarks, WhatWasRecognisedIsExpectedWhereItWas) {
+  Looking robot({model(7, "book", 10.0)});
+  robot.cycle({0});
+  robot.cycle({});
+  ASSERT_EQ(robot.expected_.places.size(), 1U);
+  EXPECT_EQ(robot.expected_.places[0].landmark, 0);
+  EXPECT_NEAR(robot.expected_.places[0].place.x_m, 2.0, 1e-9);
+  EXPECT_NEAR(robot.expected_.places[0].place.z_m, 0.9, 1e-9);
+}
+
 TEST(FamiliarLandmarks, KnowsNothingAndCostsNothingByDefault) {
   FamiliarLandmarks none;
-  LandmarkFinder finder{LandmarkFinderSettings{}};
   ShortTermMemory memory({}, {});
-  none.hand_over(finder);
-  none.guide(memory, {}, finder);
-  EXPECT_FALSE(finder.knows_any());
-  EXPECT_TRUE(none.name(blank_percept(100)).empty());
-  EXPECT_TRUE(none.learn(blank_percept(100), memory).empty());
+  EXPECT_TRUE(none.expectations(memory, {}).views.empty());
+  EXPECT_TRUE(views_of({}).empty());
+  const Recognised& recognised = none.recognised(blank_percept(100), senses_at(100, {}), memory);
+  EXPECT_TRUE(recognised.sightings.empty());
+  EXPECT_TRUE(recognised.lessons.empty());
 }
 
 }  // namespace

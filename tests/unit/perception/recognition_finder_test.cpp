@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numeric>
 #include <opencv2/imgproc.hpp>
 
 #include "perception/recognition/landmark_finder.hpp"
@@ -47,21 +48,20 @@ struct Scene {
     return *this;
   }
   [[nodiscard]] ViewGeometry geometry() const { return {percept.disparity, {}, {}}; }
-  const Percept& look(LandmarkFinder& finder) {
-    percept.recognitions.clear();
-    percept.expected.clear();
-    finder.find(grey, geometry(), percept);
-    return percept;
+  /// Looks for all views, in their order.
+  LandmarkLook look(LandmarkFinder& finder,
+                    const std::vector<LandmarkExpectation>& expected = {}) const {
+    std::vector<int> views(finder.views());
+    std::iota(views.begin(), views.end(), 0);
+    return finder.find(grey, geometry(), percept, {views, expected});
   }
 };
 
 LandmarkFinder finder_of(std::initializer_list<int> seeds, LandmarkFinderSettings settings = {}) {
   settings.every = 1;
-  LandmarkFinder finder(settings);
-  std::vector<int> order;
-  for (const int seed : seeds) order.push_back(finder.know(seed, view_of(seed)));
-  finder.look_for(order);
-  return finder;
+  std::vector<KnownView> views;
+  for (const int seed : seeds) views.push_back({seed, view_of(seed)});
+  return LandmarkFinder(settings, views);
 }
 
 LandmarkExpectation expected_at(int landmark, const Scene& scene, double u_px, double v_px,
@@ -72,9 +72,9 @@ LandmarkExpectation expected_at(int landmark, const Scene& scene, double u_px, d
 TEST(LandmarkFinder, RecognisesInASalientRegionAndMeasuresWhereItIs) {
   LandmarkFinder finder = finder_of({1, 2});
   Scene scene;
-  const Percept& percept = scene.hang(2, 440, 200).salient(440, 200).look(finder);
-  ASSERT_EQ(percept.recognitions.size(), 1U);
-  const Recognition& found = percept.recognitions[0];
+  const LandmarkLook look = scene.hang(2, 440, 200).salient(440, 200).look(finder);
+  ASSERT_EQ(look.recognitions.size(), 1U);
+  const Recognition& found = look.recognitions[0];
   EXPECT_EQ(found.landmark, 2);
   EXPECT_NEAR(found.u_px, 440, 3);
   const SpacePoint place = scene.geometry().point(110.0, 49.9, kDisparity_px);
@@ -92,18 +92,16 @@ TEST(LandmarkFinder, LooksNowhereElse) {
 TEST(LandmarkFinder, LooksWhereMemoryExpectsALandmarkAlsoIfNothingIsSalientThere) {
   LandmarkFinder finder = finder_of({1});
   Scene scene;
-  finder.expect(std::vector{expected_at(1, scene, 440, 200)});
-  const Percept& percept = scene.hang(1, 440, 200).look(finder);
-  ASSERT_EQ(percept.expected.size(), 1U);
-  EXPECT_EQ(percept.expected[0].result, LookResult::found);
-  EXPECT_EQ(percept.recognitions.size(), 1U);
+  const LandmarkLook look = scene.hang(1, 440, 200).look(finder, {expected_at(1, scene, 440, 200)});
+  ASSERT_EQ(look.expected.size(), 1U);
+  EXPECT_EQ(look.expected[0].result, LookResult::found);
+  EXPECT_EQ(look.recognitions.size(), 1U);
 }
 
 TEST(LandmarkFinder, SaysWhyAnExpectedLandmarkWasNotSeen) {
   LandmarkFinder finder = finder_of({1, 2});
   const auto result_of = [&](Scene& scene, const LandmarkExpectation& expected) {
-    finder.expect(std::vector{expected});
-    return scene.look(finder).expected.at(0).result;
+    return scene.look(finder, {expected}).expected.at(0).result;
   };
   Scene scene;
   EXPECT_EQ(result_of(scene, expected_at(1, scene, 320, 240)), LookResult::missed);
@@ -140,32 +138,30 @@ TEST(LandmarkFinder, APartOfThePictureShowsOneThing) {
   LandmarkFinderSettings settings;
   settings.matching.least_share = 0.0;
   settings.every = 1;
-  LandmarkFinder finder(settings);
   // The second landmark has the right half of the first in common with it.
   cv::Mat1b half = thing(2);
   thing(1)(cv::Rect(50, 0, 70, 90)).copyTo(half(cv::Rect(50, 0, 70, 90)));
   OrientedKeypoints oriented(OrientedSettings{});
   const LandmarkView like =
       make_view(half, {0, 0, 120, 90}, [&](const cv::Mat1b& grey) { return oriented(grey); });
-  std::vector<int> order = {finder.know(2, like)};
-  finder.look_for(order);
-  Scene alone;
-  EXPECT_EQ(alone.hang(1, 320, 240).salient(320, 240).look(finder).recognitions.size(), 1U);
-  order.push_back(finder.know(1, view_of(1)));
-  finder.look_for(order);
-  const Percept& percept = alone.look(finder);
-  ASSERT_EQ(percept.recognitions.size(), 1U);
-  EXPECT_EQ(percept.recognitions[0].landmark, 1);
+  const std::vector<KnownView> one = {{2, like}}, both = {{2, like}, {1, view_of(1)}};
+  Scene scene;
+  scene.hang(1, 320, 240).salient(320, 240);
+  LandmarkFinder of_one(settings, one), of_both(settings, both);
+  EXPECT_EQ(scene.look(of_one).recognitions.size(), 1U);
+  const LandmarkLook look = scene.look(of_both);
+  ASSERT_EQ(look.recognitions.size(), 1U);
+  EXPECT_EQ(look.recognitions[0].landmark, 1);
 }
 
 TEST(LandmarkFinder, WithoutAViewItDoesNothing) {
   LandmarkFinder finder{LandmarkFinderSettings{}};
-  EXPECT_FALSE(finder.knows_any());
+  EXPECT_EQ(finder.views(), 0U);
   Scene scene;
-  finder.expect(std::vector{expected_at(1, scene, 320, 240)});
-  const Percept& percept = scene.hang(1, 320, 240).salient(320, 240).look(finder);
-  EXPECT_TRUE(percept.recognitions.empty());
-  EXPECT_TRUE(percept.expected.empty());
+  const LandmarkLook look =
+      scene.hang(1, 320, 240).salient(320, 240).look(finder, {expected_at(1, scene, 320, 240)});
+  EXPECT_TRUE(look.recognitions.empty());
+  EXPECT_TRUE(look.expected.empty());
 }
 
 TEST(LookWindows, AreOfFewSizesLieInThePictureAndHoldTheirRegion) {

@@ -80,9 +80,9 @@ class ExecutiveTest : public testing::Test {
   void run(Executive& executive, int limit = 200) {
     for (int i = 0; i < limit && !executive.ended(); ++i) {
       now_ += std::chrono::milliseconds(100);
-      const Wish wish = executive.tick(memory_, now_);
-      driven_ += wish.forward_m_s > 0.0 ? 1 : 0;
-      guarded_ += executive.owner() == MotorOwner::guard ? 1 : 0;
+      const Claim claim = executive.tick(memory_, now_).claim;
+      driven_ += claim.wish.forward_m_s > 0.0 ? 1 : 0;
+      guarded_ += claim.owner == MotorOwner::guard ? 1 : 0;
     }
     EXPECT_TRUE(executive.ended());
   }
@@ -187,11 +187,11 @@ TEST_F(ExecutiveTest, TogetherMovesWheelsAndHeadAndWaitsForBoth) {
   Executive executive(task(
       std::make_unique<TogetherNode>(nodes(act({"w", 3, Progress::succeeded, 0, Motors::wheels}),
                                            act({"h", 1, Progress::succeeded, 0, Motors::head})))));
-  Wish wish = executive.tick(memory_, now_);
+  Wish wish = executive.tick(memory_, now_).claim.wish;
   EXPECT_EQ(wish.forward_m_s, 0.3);
   EXPECT_EQ(wish.pan_rad, 0.5);
   EXPECT_EQ(executive.current_action(), "w");
-  wish = executive.tick(memory_, now_);
+  wish = executive.tick(memory_, now_).claim.wish;
   EXPECT_EQ(wish.forward_m_s, 0.3);
   EXPECT_EQ(wish.pan_rad, 0.0);
   run(executive);

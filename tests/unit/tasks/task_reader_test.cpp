@@ -38,7 +38,8 @@ TEST(TaskReader, ReadsStepsVariablesLimitsAndRecovery) {
       mistakes, RobotDescription{});
   ASSERT_TRUE(mistakes.none()) << mistakes.text();
   EXPECT_EQ(task.mission, "there");
-  EXPECT_THAT(task.variables, testing::ElementsAre("cruise", "far"));
+  EXPECT_EQ(task.goal, TaskGoal::steps);
+  EXPECT_EQ(task.notices, "");
   ASSERT_TRUE(task.root);
   EXPECT_EQ(text_tree(task.outline),
             "task there\n"

@@ -1,0 +1,121 @@
+#include "app/commands/run_mission.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "app/commands/run_report.hpp"
+#include "app/files.hpp"
+#include "app/given_variables.hpp"
+#include "app/interrupt.hpp"
+#include "app/memory/landmark_knowledge.hpp"
+#include "app/mission_memory.hpp"
+#include "app/mission_pictures.hpp"
+#include "app/recall/live_memory.hpp"
+#include "app/recording/mission_recorder.hpp"
+#include "app/simulated_body.hpp"
+#include "app/status_line.hpp"
+
+namespace striate {
+namespace {
+
+MissionOptions mission_options(const RunOptions& options) {
+  MissionOptions mission = options.mission;
+  mission.given = read_variables(options.given);
+  mission.emergency_layer = !options.no_emergency;
+  if (!options.memory.empty()) mission.knowledge = read_mission_knowledge(options.memory);
+  return mission;
+}
+
+/// For the long-term memory: which session that was.
+std::string session_title(const Mission& mission, const MissionOptions& asked) {
+  if (mission.simulated() == nullptr) return fmt::format("{} with {}", asked.task, asked.robot);
+  return fmt::format("{} in {}, seed {}", asked.task, mission.place(),
+                     mission.simulated()->options().seed);
+}
+
+/// All who watch a mission from outside.
+class Watchers {
+ public:
+  Watchers(const RunOptions& options, Mission& mission, MissionRecorder& recorder)
+      : options_(options),
+        mission_(mission),
+        recorder_(recorder),
+        pictures_(options.pictures, options.picture_every),
+        memory_(options.memory, options.mission.robot, session_title(mission, options.mission)),
+        live_(options.inspect),
+        status_(options.quiet || options.json) {
+    recorder_.begin(mission);
+  }
+
+  /// After each cycle, before anything ends the task from outside.
+  void take() {
+    recorder_.take(mission_);
+    live_.take(mission_.cycle(), mission_.executive(), mission_.cycles());
+    pictures_.take(mission_);
+    if (const std::string said = speech_.news(mission_); !said.empty()) status_.tell(said);
+    memory_.take(mission_.cycle());
+    if (mission_.judge() != nullptr) memory_.take(*mission_.judge());
+    if (options_.each_cycle) options_.each_cycle(mission_);
+    if (status_.due()) status_.show(status_text(mission_));
+  }
+
+  /// @return what was recorded, for the summary; "" without a recording
+  std::string finish(const RunResult& result) {
+    status_.clear();
+    const std::string recorded = recorder_.finish();
+    live_.finish();
+    memory_.finish(mission_.cycle(), result);
+    pictures_.finish(mission_, result);
+    return recorded;
+  }
+
+ private:
+  const RunOptions& options_;
+  Mission& mission_;
+  MissionRecorder& recorder_;
+  MissionPictures pictures_;
+  MissionMemory memory_;
+  LiveMemory live_;
+  StatusLine status_;
+  Speech speech_;
+};
+
+}  // namespace
+
+void check_outputs(const RunOptions& options) {
+  for (const std::string& file :
+       {options.result, options.record, options.inspect, options.memory}) {
+    check_writable(file);
+  }
+  make_folder(options.pictures);
+}
+
+int run_mission(const RunOptions& options, const BodySource& body) {
+  check_outputs(options);
+  const MissionOptions asked = mission_options(options);
+  const Interrupt interrupt;
+  MissionRecorder recorder(options.record, options.memory);  // copies the memory as it is now
+  Mission mission(asked, body);
+  if (!options.quiet) fmt::print(stderr, "{}", mission.executive().task().notices);
+  Watchers watchers(options, mission, recorder);
+  if (options.at_begin) options.at_begin(mission);
+  const RunResult result = mission.run([&](const Mission&) {
+    watchers.take();
+    return Interrupt::requested();
+  });
+  const std::string recorded = watchers.finish(result);
+  const std::string json = to_json(result).dump(2) + "\n";
+  if (!options.result.empty()) write_file(options.result, json);
+  if (options.json) {
+    fmt::print("{}", json);
+  } else if (!options.quiet) {
+    print_summary(result);
+    if (!options.result.empty()) fmt::print("  record            {}\n", options.result);
+    if (!options.pictures.empty()) fmt::print("  pictures          {}\n", options.pictures);
+    if (!recorded.empty()) fmt::print("  recording         {}\n", recorded);
+  }
+  return row_of(result.outcome).exit_code;
+}
+
+}  // namespace striate
