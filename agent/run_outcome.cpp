@@ -1,9 +1,9 @@
-#include "agent/run_outcome.hpp"
+#include "striate/agent/run_outcome.hpp"
 
 #include <algorithm>
 #include <array>
 
-namespace striate {
+namespace striate::agent {
 namespace {
 
 constexpr int kInterrupted = 130;  // 128 + SIGINT, as shells have it
@@ -38,4 +38,4 @@ std::optional<RunOutcome> outcome_named(std::string_view name) {
   return row->outcome;
 }
 
-}  // namespace striate
+}  // namespace striate::agent

@@ -5,7 +5,7 @@
 #include <span>
 #include <string_view>
 
-namespace striate {
+namespace striate::agent {
 
 /// What came of a run. Tasks and the simulator have narrower outcomes of their own.
 enum class RunOutcome : std::uint8_t {
@@ -38,4 +38,4 @@ struct OutcomeRow {
 /// nullopt for a name that is none.
 [[nodiscard]] std::optional<RunOutcome> outcome_named(std::string_view name);
 
-}  // namespace striate
+}  // namespace striate::agent

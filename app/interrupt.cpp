@@ -1,8 +1,8 @@
-#include "app/interrupt.hpp"
+#include "striate/app/interrupt.hpp"
 
 #include <csignal>
 
-namespace striate {
+namespace striate::app {
 namespace {
 
 volatile std::sig_atomic_t g_requested = 0;
@@ -29,4 +29,4 @@ bool Interrupt::requested() {
   return g_requested != 0;
 }
 
-}  // namespace striate
+}  // namespace striate::app

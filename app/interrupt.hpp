@@ -1,6 +1,6 @@
 #pragma once
 
-namespace striate {
+namespace striate::app {
 
 /// Ctrl-C and SIGTERM ask for a safe end: the mission halts, runs `finally`, writes its result.
 /// A second Ctrl-C does what it always does.
@@ -14,4 +14,4 @@ class Interrupt {
   [[nodiscard]] static bool requested();
 };
 
-}  // namespace striate
+}  // namespace striate::app

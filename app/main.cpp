@@ -10,10 +10,10 @@
 #include <string>
 #include <vector>
 
-#include "app/command_line/mistakes.hpp"
-#include "app/command_line/old_names.hpp"
-#include "app/commands/commands.hpp"
-#include "base/user_error.hpp"
+#include "striate/app/command_line/mistakes.hpp"
+#include "striate/app/command_line/old_names.hpp"
+#include "striate/app/commands/commands.hpp"
+#include "striate/base/user_error.hpp"
 
 namespace {
 
@@ -28,12 +28,12 @@ constexpr const char* kAbout =
     "  striate sim config/worlds/corridor_a.yaml --serve\n"
     "      offers the simulated Pioneer on TCP to any ARCOS client; 'striate drive' is one\n"
     "  striate perceive --left L.png --right R.png --out DIR\n"
-    "      shows what the vision makes of any picture pair\n"
+    "      shows what the vision makes of any image pair\n"
     "  striate eval patches DIR\n"
     "      measures the vision on your own data, beside OpenCV's methods\n"
     "  striate teach book --image cover.png --memory home.db\n"
     "  striate memory home.db list\n"
-    "      teaches a landmark from pictures, and looks into what is remembered\n"
+    "      teaches a landmark from images, and looks into what is remembered\n"
     "  striate check config/tasks/*.yaml config/worlds/*.yaml\n"
     "      tells every mistake of task scripts, worlds and settings\n"
     "  striate task actions\n"
@@ -46,7 +46,7 @@ constexpr const char* kFooter =
 
 /// Parses and runs the command. @returns false after having said what is wrong with the words.
 bool parse(CLI::App& app, std::vector<std::string> words) {
-  for (const std::string& note : striate::use_new_names(app, words)) {
+  for (const std::string& note : striate::app::use_new_names(app, words)) {
     fmt::print(stderr, "{}\n", note);
   }
   try {
@@ -54,10 +54,10 @@ bool parse(CLI::App& app, std::vector<std::string> words) {
     return true;
   } catch (const CLI::ParseError& error) {
     const bool help = error.get_exit_code() == 0;
-    const std::string mistake = help ? striate::unknown_command(app, words)
-                                     : striate::command_line_mistake(app, words, error);
-    if (!mistake.empty()) fmt::print(stderr, "{}\n", mistake);
-    return help && mistake.empty() && app.exit(error) == 0;
+    const std::string diagnostic = help ? striate::app::unknown_command(app, words)
+                                        : striate::app::command_line_diagnostic(app, words, error);
+    if (!diagnostic.empty()) fmt::print(stderr, "{}\n", diagnostic);
+    return help && diagnostic.empty() && app.exit(error) == 0;
   }
 }
 
@@ -70,24 +70,24 @@ int run(int argc, char** argv) {
   app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
   app.get_formatter()->label("TEXT", "FILE");  // where an option takes something else, it says so
   int exit_code = 0;
-  striate::add_run_command(app, exit_code);
-  striate::add_replay_command(app, exit_code);
-  striate::add_recall_command(app, exit_code);
-  striate::add_trial_command(app, exit_code);
-  striate::add_perceive_command(app, exit_code);
-  striate::add_sim_command(app, exit_code);
-  striate::add_task_command(app, exit_code);
-  striate::add_drive_command(app, exit_code);
-  striate::add_calibrate_command(app, exit_code);
-  striate::add_doctor_command(app, exit_code);
-  striate::add_check_command(app, exit_code);
-  striate::add_config_command(app, exit_code);
-  striate::add_ros_command(app, exit_code);
-  striate::add_eval_command(app, exit_code);
-  striate::add_learn_descriptor_command(app, exit_code);
-  striate::add_teach_command(app, exit_code);
-  striate::add_memory_command(app, exit_code);
-  striate::add_help_command(app, exit_code);
+  striate::app::add_run_command(app, exit_code);
+  striate::app::add_replay_command(app, exit_code);
+  striate::app::add_recall_command(app, exit_code);
+  striate::app::add_trial_command(app, exit_code);
+  striate::app::add_perceive_command(app, exit_code);
+  striate::app::add_sim_command(app, exit_code);
+  striate::app::add_task_command(app, exit_code);
+  striate::app::add_drive_command(app, exit_code);
+  striate::app::add_calibrate_command(app, exit_code);
+  striate::app::add_doctor_command(app, exit_code);
+  striate::app::add_check_command(app, exit_code);
+  striate::app::add_config_command(app, exit_code);
+  striate::app::add_ros_command(app, exit_code);
+  striate::app::add_eval_command(app, exit_code);
+  striate::app::add_learn_descriptor_command(app, exit_code);
+  striate::app::add_teach_command(app, exit_code);
+  striate::app::add_memory_command(app, exit_code);
+  striate::app::add_help_command(app, exit_code);
   return parse(app, {argv + 1, argv + argc}) ? exit_code : 2;
 }
 
@@ -102,7 +102,7 @@ int told(int exit_code) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  // One thread: pictures are small, a robot's cycle must not wait for a busy pool, and trials use
+  // One thread: images are small, a robot's cycle must not wait for a busy pool, and trials use
   // the cores by running missions side by side.
   cv::setNumThreads(1);
   try {

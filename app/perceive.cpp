@@ -1,4 +1,4 @@
-#include "app/perceive.hpp"
+#include "striate/app/perceive.hpp"
 
 #include <fmt/format.h>
 
@@ -10,23 +10,23 @@
 #include <opencv2/imgproc.hpp>
 #include <string>
 
-#include "app/perceive_files.hpp"
-#include "app/pictures/overview.hpp"
-#include "app/read_picture.hpp"
-#include "base/files.hpp"
-#include "base/user_error.hpp"
-#include "perception/perception.hpp"
+#include "striate/agent/pictures/overview.hpp"
+#include "striate/app/perceive_files.hpp"
+#include "striate/base/files.hpp"
+#include "striate/base/user_error.hpp"
+#include "striate/evaluation/images/read_image.hpp"
+#include "striate/perception/perception.hpp"
 
-namespace striate {
+namespace striate::app {
 namespace {
 
 namespace fs = std::filesystem;
 
 void check(const PerceiveOptions& o) {
-  if (o.left.empty()) throw UserError("perceive needs a picture: give it with --left FILE");
+  if (o.left.empty()) throw UserError("perceive needs an image: give it with --left FILE");
   if (o.out.empty()) throw UserError("perceive needs a folder for its results: --out DIR");
-  if (o.setting != "paper" && o.setting != "robust") {
-    throw UserError(fmt::format("--setting {}: choose paper or robust", o.setting));
+  if (o.mode != "paper" && o.mode != "robust") {
+    throw UserError(fmt::format("--mode {}: choose paper or robust", o.mode));
   }
   if (o.width_px < 32 || o.width_px > 640) {
     throw UserError(
@@ -50,8 +50,8 @@ int candidates_for(const PerceiveOptions& o) {
 
 StereoFrame read_pair(const PerceiveOptions& o) {
   StereoFrame frame;
-  frame.left = read_any_picture(o.left);
-  if (!o.right.empty()) frame.right = read_any_picture(o.right);
+  frame.left = evaluation::read_any_image(o.left);
+  if (!o.right.empty()) frame.right = evaluation::read_any_image(o.right);
   if (!o.right.empty() && frame.right.size() != frame.left.size()) {
     throw UserError(fmt::format(
         "{} is {} x {} but {} is {} x {}: left and right must be a rectified pair of one size",
@@ -120,19 +120,19 @@ double split_near_from_far(const cv::Mat1f& disparity_px) {
 constexpr double kNoFloor_m = 1e9;
 
 struct Judged {
-  Percept percept;
+  perception::Percept percept;
   RobotDescription robot;
   ObstacleReport report;
 };
 
 /// Obstacles of a camera whose height above the floor nobody knows: the paper's near blobs.
 void find_near_blobs(const PerceiveOptions& o, const StereoFrame& frame, Judged& judged) {
-  Percept& percept = judged.percept;
+  perception::Percept& percept = judged.percept;
   judged.robot.camera_height_m = kNoFloor_m;
-  ObstacleSettings settings;
+  perception::ObstacleSettings settings;
   settings.paper_threshold_px =
       o.near_px > 0.0 ? o.near_px : split_near_from_far(percept.disparity.disparity_px);
-  DisparityMap map = percept.disparity;
+  perception::DisparityMap map = percept.disparity;
   if (o.focal_px <= 0.0) {  // relative units: one baseline is 1, the view as wide as the robot's
     map.focal_px = 0.5 * map.disparity_px.cols / std::tan(0.5 * judged.robot.view_rad);
     map.baseline_m = 1.0;
@@ -140,39 +140,42 @@ void find_near_blobs(const PerceiveOptions& o, const StereoFrame& frame, Judged&
     map.centre_v_px = 0.5 * (map.disparity_px.rows - 1);
     judged.report.unit = "baselines";
   }
-  ObstacleView view = find_obstacles_as_in_paper(map, frame.head, judged.robot, settings);
+  perception::ObstacleView view =
+      perception::find_obstacles_as_in_paper(map, frame.head, judged.robot, settings);
   percept.columns = std::move(view.columns);
   percept.obstacles = std::move(view.obstacles);
-  for (Obstacle& obstacle : percept.obstacles) obstacle.height_m = 0.0;  // of unknown floor
+  for (perception::Obstacle& obstacle : percept.obstacles)
+    obstacle.height_m = 0.0;  // of unknown floor
   percept.disparity.focal_px = map.focal_px;
   percept.disparity.baseline_m = map.baseline_m;
   judged.report.method = "near blobs: threshold on disparity (the paper's)";
   judged.report.threshold_px = settings.paper_threshold_px;
-  judged.report.threshold_from = o.near_px > 0.0 ? "given" : "the picture (Otsu)";
+  judged.report.threshold_from = o.near_px > 0.0 ? "given" : "the image (Otsu)";
 }
 
 Judged judge(const PerceiveOptions& o, const StereoFrame& frame) {
   constexpr double kTrustedPromise =
       0.66;  // about what a score of 0.3, the driving robot's, has kept
-  PerceptionSettings settings;
+  perception::PerceptionSettings settings;
   settings.keypoints_every = 1;
-  settings.stereo = StereoSettings{};
+  settings.stereo = perception::StereoSettings{};
   settings.obstacles.trusted = kTrustedPromise;
-  settings.stereo.setting = o.setting == "paper" ? StereoSetting::paper : StereoSetting::robust;
-  settings.saliency.setting =
-      o.setting == "paper" ? SaliencySetting::paper : SaliencySetting::robust;
+  settings.stereo.mode =
+      o.mode == "paper" ? perception::StereoMode::paper : perception::StereoMode::robust;
+  settings.saliency.mode =
+      o.mode == "paper" ? perception::SaliencyMode::paper : perception::SaliencyMode::robust;
   settings.stereo.width = o.width_px;
   settings.stereo.candidates = candidates_for(o);
   Judged judged;
   if (o.camera_height_m) judged.robot.camera_height_m = *o.camera_height_m;
-  judged.percept = Perception(settings, judged.robot).see(frame);
+  judged.percept = perception::Perception(settings, judged.robot).see(frame);
   judged.report.unit = "m";
   judged.report.floor_known = o.camera_height_m.has_value();
   if (frame.right.empty()) {
-    judged.report.method = "none: one picture only";
+    judged.report.method = "none: one image only";
   } else if (o.camera_height_m) {
-    judged.report.method = o.setting == "paper" ? "near blobs: threshold on disparity (the paper's)"
-                                                : "floor line and column scan";
+    judged.report.method = o.mode == "paper" ? "near blobs: threshold on disparity (the paper's)"
+                                             : "floor line and column scan";
   } else {
     judged.percept.corridor = {};
     find_near_blobs(o, frame, judged);
@@ -183,7 +186,7 @@ Judged judge(const PerceiveOptions& o, const StereoFrame& frame) {
 double reach_of(const Judged& judged) {
   if (judged.report.floor_known) return 6.0;
   double farthest = 1.0;
-  for (const Column& c : judged.percept.columns) {
+  for (const perception::Column& c : judged.percept.columns) {
     farthest = std::max(farthest, c.free_to_m);
   }
   return 1.2 * farthest;
@@ -193,24 +196,24 @@ double reach_of(const Judged& judged) {
 
 int perceive(const PerceiveOptions& options) {
   check(options);
-  make_folder(options.out);
+  make_folder(options.out, "--out");
   const StereoFrame frame = read_pair(options);
   const Judged judged = judge(options, frame);
-  const Percept& percept = judged.percept;
+  const perception::Percept& percept = judged.percept;
   if (!percept.disparity.disparity_px.empty()) {
     write_pfm(options.out / "disparity.pfm", percept.disparity.disparity_px);
     write_pfm(options.out / "confidence.pfm", percept.disparity.confidence);
   }
   write_file(options.out / "obstacles.json", obstacles_json(percept, options, judged.report));
   write_file(options.out / "keypoints.json", keypoints_json(percept, frame.left.size()));
-  pictures::OverviewStyle style;
+  agent::pictures::OverviewStyle style;
   style.unit = judged.report.unit == "m" ? "m" : "bl";
   style.plan_reach = reach_of(judged);
   style.metric = judged.report.unit == "m";
   write_picture(options.out / "saliency.png", saliency_picture(frame, percept));
   write_picture(options.out / "overview.png",
-                pictures::draw_overview(frame, percept, judged.robot, style));
+                agent::pictures::draw_overview(frame, percept, judged.robot, style));
   return 0;
 }
 
-}  // namespace striate
+}  // namespace striate::app

@@ -1,4 +1,4 @@
-#include "app/perceive_files.hpp"
+#include "striate/app/perceive_files.hpp"
 
 #include <fmt/format.h>
 
@@ -11,12 +11,12 @@
 #include <opencv2/imgproc.hpp>
 #include <stdexcept>
 
-#include "base/files.hpp"
-#include "app/pictures/scene_pictures.hpp"
-#include "base/geometry.hpp"
-#include "base/user_error.hpp"
+#include "striate/agent/pictures/scene_pictures.hpp"
+#include "striate/base/files.hpp"
+#include "striate/base/geometry.hpp"
+#include "striate/base/user_error.hpp"
 
-namespace striate {
+namespace striate::app {
 namespace {
 
 namespace fs = std::filesystem;
@@ -28,7 +28,7 @@ ordered_json number(double value) {
   return std::round(value * 1e5) / 1e5;
 }
 
-ordered_json column_json(const Column& c) {
+ordered_json column_json(const perception::Column& c) {
   const bool free = c.free_to_m > c.free_from_m;
   return {{"bearing_deg", number(degrees(c.bearing_rad))},
           {"free_from", free ? number(c.free_from_m) : ordered_json(nullptr)},
@@ -40,7 +40,7 @@ ordered_json column_json(const Column& c) {
           {"hidden_to", number(c.hidden_to_m)}};
 }
 
-ordered_json obstacle_json(const Obstacle& o, bool floor_known) {
+ordered_json obstacle_json(const perception::Obstacle& o, bool floor_known) {
   return {{"bearing_deg", number(degrees(o.bearing_rad))},
           {"distance", number(o.distance_m)},
           {"width", number(o.width_m)},
@@ -50,7 +50,7 @@ ordered_json obstacle_json(const Obstacle& o, bool floor_known) {
           {"to_u_px", o.to_u_px}};
 }
 
-std::string hex(const Descriptor& descriptor) {
+std::string hex(const perception::Descriptor& descriptor) {
   std::string text;
   for (const std::uint64_t word : descriptor.words) text += fmt::format("{:016x}", word);
   return text;
@@ -69,23 +69,23 @@ void write_pfm(const fs::path& file, const cv::Mat1f& values) {
   if (!out.flush()) throw std::runtime_error(fmt::format("{}: cannot be written", file.string()));
 }
 
-void write_picture(const fs::path& file, const cv::Mat3b& picture) {
-  if (!cv::imwrite(file.string(), picture)) {
+void write_picture(const fs::path& file, const cv::Mat3b& image) {
+  if (!cv::imwrite(file.string(), image)) {
     throw std::runtime_error(fmt::format("{}: cannot be written", file.string()));
   }
 }
 
-void check_picture_writable(const std::string& file) {
+void check_image_writable(const std::string& file) {
   if (file.empty()) return;
   check_writable(file);
   if (cv::haveImageWriter(file)) return;
-  throw UserError(fmt::format("{}: is no name of a picture\n    it must end in .png", file));
+  throw UserError(fmt::format("{}: is no name of an image\n    it must end in .png", file));
 }
 
-std::string obstacles_json(const Percept& percept, const PerceiveOptions& options,
+std::string obstacles_json(const perception::Percept& percept, const PerceiveOptions& options,
                            const ObstacleReport& report) {
   ordered_json json;
-  json["setting"] = options.setting;
+  json["mode"] = options.mode;
   json["method"] = report.method;
   json["unit"] = report.unit;
   if (report.unit != "m") {
@@ -103,10 +103,10 @@ std::string obstacles_json(const Percept& percept, const PerceiveOptions& option
   json["right"] =
       options.right.empty() ? ordered_json(nullptr) : ordered_json(options.right.string());
   json["obstacles"] = ordered_json::array();
-  for (const Obstacle& o : percept.obstacles) {
+  for (const perception::Obstacle& o : percept.obstacles) {
     json["obstacles"].push_back(obstacle_json(o, report.floor_known));
   }
-  const CorridorView& corridor = percept.corridor;
+  const perception::CorridorView& corridor = percept.corridor;
   if (corridor.valid) {
     json["corridor"] = {{"heading_deg", number(degrees(corridor.heading_rad))},
                         {"left", number(corridor.left_m)},
@@ -116,17 +116,17 @@ std::string obstacles_json(const Percept& percept, const PerceiveOptions& option
     json["corridor"] = nullptr;
   }
   json["columns"] = ordered_json::array();
-  for (const Column& c : percept.columns) json["columns"].push_back(column_json(c));
+  for (const perception::Column& c : percept.columns) json["columns"].push_back(column_json(c));
   return json.dump(1) + "\n";
 }
 
-std::string keypoints_json(const Percept& percept, cv::Size picture) {
+std::string keypoints_json(const perception::Percept& percept, cv::Size image) {
   ordered_json json;
-  json["width_px"] = picture.width;
-  json["height_px"] = picture.height;
+  json["width_px"] = image.width;
+  json["height_px"] = image.height;
   json["descriptor"] = "256 bits as hexadecimal words of 64, first word first";
   json["keypoints"] = ordered_json::array();
-  for (const Keypoint& k : percept.keypoints) {
+  for (const perception::Keypoint& k : percept.keypoints) {
     json["keypoints"].push_back({{"u_px", number(k.u_px)},
                                  {"v_px", number(k.v_px)},
                                  {"wavelength_px", number(k.wavelength_px)},
@@ -136,13 +136,13 @@ std::string keypoints_json(const Percept& percept, cv::Size picture) {
   return json.dump(1) + "\n";
 }
 
-cv::Mat3b saliency_picture(const StereoFrame& frame, const Percept& percept) {
-  // px: smaller pictures are enlarged, so that labels can be read
+cv::Mat3b saliency_picture(const StereoFrame& frame, const perception::Percept& percept) {
+  // px: smaller images are enlarged, so that labels can be read
   constexpr int kNarrowest_px = 640;
   const double scale = std::max(1.0, static_cast<double>(kNarrowest_px) / frame.left.cols);
-  return pictures::draw_saliency(frame, percept,
-                                 {static_cast<int>(std::lround(frame.left.cols * scale)),
-                                  static_cast<int>(std::lround(frame.left.rows * scale))});
+  return agent::pictures::draw_saliency(frame, percept,
+                                        {static_cast<int>(std::lround(frame.left.cols * scale)),
+                                         static_cast<int>(std::lround(frame.left.rows * scale))});
 }
 
-}  // namespace striate
+}  // namespace striate::app

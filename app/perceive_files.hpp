@@ -4,12 +4,12 @@
 #include <opencv2/core/mat.hpp>
 #include <string>
 
-#include "app/perceive.hpp"
-#include "perception/percept.hpp"
-#include "platform/interface/senses.hpp"
+#include "striate/app/perceive_options.hpp"
+#include "striate/perception/percept.hpp"
+#include "striate/platform/interface/senses.hpp"
 
 /// Writing what `striate perceive` found.
-namespace striate {
+namespace striate::app {
 
 /// How the obstacles of obstacles.json came about.
 struct ObstacleReport {
@@ -21,17 +21,19 @@ struct ObstacleReport {
 };
 
 void write_pfm(const std::filesystem::path& file, const cv::Mat1f& values);
-void write_picture(const std::filesystem::path& file, const cv::Mat3b& picture);
+void write_picture(const std::filesystem::path& file, const cv::Mat3b& image);
 
-/// Before the work that the picture is to show; an empty path asks for nothing.
-/// @throws UserError where nothing can be written there, or the name's end is no kind of picture
-void check_picture_writable(const std::string& file);
+/// Before the work that the image is to show; an empty path asks for nothing.
+/// @throws UserError where nothing can be written there, or the name's end is no kind of image
+void check_image_writable(const std::string& file);
 
-[[nodiscard]] std::string obstacles_json(const Percept& percept, const PerceiveOptions& options,
+[[nodiscard]] std::string obstacles_json(const perception::Percept& percept,
+                                         const PerceiveOptions& options,
                                          const ObstacleReport& report);
-[[nodiscard]] std::string keypoints_json(const Percept& percept, cv::Size picture);
+[[nodiscard]] std::string keypoints_json(const perception::Percept& percept, cv::Size image);
 
-/// The heat map alone, at the picture's own size (at least 640 wide).
-[[nodiscard]] cv::Mat3b saliency_picture(const StereoFrame& frame, const Percept& percept);
+/// The heat map alone, at the image's own size (at least 640 wide).
+[[nodiscard]] cv::Mat3b saliency_picture(const StereoFrame& frame,
+                                         const perception::Percept& percept);
 
-}  // namespace striate
+}  // namespace striate::app

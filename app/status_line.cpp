@@ -1,4 +1,4 @@
-#include "app/status_line.hpp"
+#include "striate/app/status_line.hpp"
 
 #include <fmt/format.h>
 #include <sys/ioctl.h>
@@ -6,7 +6,7 @@
 
 #include <cstdio>
 
-namespace striate {
+namespace striate::app {
 namespace {
 
 std::size_t terminal_width() {
@@ -57,4 +57,4 @@ void StatusLine::clear() {
   shown_ = false;
 }
 
-}  // namespace striate
+}  // namespace striate::app

@@ -3,7 +3,7 @@
 #include <chrono>
 #include <string>
 
-namespace striate {
+namespace striate::app {
 
 /// The live line of a mission on standard error: rewritten in place on a terminal, a plain line
 /// every ten seconds elsewhere, nothing when quiet.
@@ -30,4 +30,4 @@ class StatusLine {
   WallClock::time_point last_;
 };
 
-}  // namespace striate
+}  // namespace striate::app

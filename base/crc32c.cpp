@@ -1,10 +1,10 @@
-#include "base/crc32c.hpp"
+#include "striate/base/crc32c.hpp"
 
 #include <array>
 #include <bit>
 #include <cstring>
 
-#include "base/crc_table.hpp"
+#include "striate/base/crc_table.hpp"
 
 namespace striate {
 namespace {

@@ -1,4 +1,4 @@
-#include "base/files.hpp"
+#include "striate/base/files.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -10,7 +10,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "base/user_error.hpp"
+#include "striate/base/user_error.hpp"
 
 namespace striate {
 namespace {
@@ -91,14 +91,14 @@ void check_writable(const std::string& path) {
       "{}: nothing can be written there: {}\n    give a path in a folder of yours", path, why));
 }
 
-void make_folder(const fs::path& folder) {
+void make_folder(const fs::path& folder, const std::string& option) {
   if (folder.empty()) return;
   std::string why = why_not_a_folder(folder);
   if (why.empty()) why = why_no_new_file(folder);
   if (why.empty()) return;
   throw UserError(
-      fmt::format("{}: is no folder to write into: {}\n    give a folder of yours, or a new one",
-                  folder.string(), why));
+      fmt::format("{}{}: is no folder to write into: {}\n    give a folder of yours, or a new one",
+                  option.empty() ? option : option + " ", folder.string(), why));
 }
 
 ScratchFolder::ScratchFolder() {

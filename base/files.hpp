@@ -19,8 +19,9 @@ void write_file(const std::filesystem::path& path, const std::string& content);
 void check_writable(const std::string& path);
 
 /// Makes the folder and those above it, for files to be written later; an empty path asks for
-/// nothing. @throws UserError where it cannot be one, or where nothing can be written into it
-void make_folder(const std::filesystem::path& folder);
+/// nothing. @param option that asks for it, "--out", for the message. @throws UserError where it
+/// cannot be one, or where nothing can be written into it
+void make_folder(const std::filesystem::path& folder, const std::string& option = {});
 
 /// A new folder among the machine's temporary ones that is gone in the end.
 class ScratchFolder {

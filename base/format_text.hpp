@@ -7,7 +7,7 @@
 #include <string_view>
 #include <utility>
 
-#include "base/fixed_text.hpp"
+#include "striate/base/fixed_text.hpp"
 
 namespace striate {
 

@@ -5,7 +5,7 @@
 namespace striate {
 
 /// Pi. Not from <numbers>: the interface is read as C++17 too, which ROS 1 still needs.
-inline constexpr double kHalfTurn_rad = 3.14159265358979323846;
+inline constexpr double kPi = 3.14159265358979323846;
 
 /// A point on the floor. Robot frame: x forward, y left.
 struct Point2 {
@@ -21,27 +21,27 @@ struct Pose2 {
 };
 
 [[nodiscard]] constexpr double radians(double degrees) {
-  return degrees * kHalfTurn_rad / 180.0;
+  return degrees * kPi / 180.0;
 }
 
 [[nodiscard]] constexpr double degrees(double radians) {
-  return radians * 180.0 / kHalfTurn_rad;
+  return radians * 180.0 / kPi;
 }
 
 /// The same angle within [-pi, pi].
 [[nodiscard]] inline double wrap_angle(double angle_rad) {
-  return std::remainder(angle_rad, 2.0 * kHalfTurn_rad);
+  return std::remainder(angle_rad, 2.0 * kPi);
 }
 
 /// A point given in the frame of `pose`, in the frame that `pose` is given in.
-[[nodiscard]] inline Point2 to_outer(const Pose2& pose, Point2 inner) {
+[[nodiscard]] inline Point2 transform(const Pose2& pose, Point2 inner) {
   const double c = std::cos(pose.heading_rad);
   const double s = std::sin(pose.heading_rad);
   return {pose.x_m + c * inner.x_m - s * inner.y_m, pose.y_m + s * inner.x_m + c * inner.y_m};
 }
 
-/// The inverse of `to_outer`.
-[[nodiscard]] inline Point2 to_inner(const Pose2& pose, Point2 outer) {
+/// The inverse of `transform`.
+[[nodiscard]] inline Point2 inverse_transform(const Pose2& pose, Point2 outer) {
   const double c = std::cos(pose.heading_rad);
   const double s = std::sin(pose.heading_rad);
   const double dx = outer.x_m - pose.x_m;
@@ -49,13 +49,13 @@ struct Pose2 {
   return {c * dx + s * dy, -s * dx + c * dy};
 }
 
-[[nodiscard]] inline Pose2 to_outer(const Pose2& pose, const Pose2& inner) {
-  const Point2 p = to_outer(pose, Point2{inner.x_m, inner.y_m});
+[[nodiscard]] inline Pose2 transform(const Pose2& pose, const Pose2& inner) {
+  const Point2 p = transform(pose, Point2{inner.x_m, inner.y_m});
   return {p.x_m, p.y_m, wrap_angle(pose.heading_rad + inner.heading_rad)};
 }
 
-[[nodiscard]] inline Pose2 to_inner(const Pose2& pose, const Pose2& outer) {
-  const Point2 p = to_inner(pose, Point2{outer.x_m, outer.y_m});
+[[nodiscard]] inline Pose2 inverse_transform(const Pose2& pose, const Pose2& outer) {
+  const Point2 p = inverse_transform(pose, Point2{outer.x_m, outer.y_m});
   return {p.x_m, p.y_m, wrap_angle(outer.heading_rad - pose.heading_rad)};
 }
 

@@ -2,7 +2,7 @@
 
 #include <chrono>
 
-#include "base/time.hpp"
+#include "striate/base/time.hpp"
 
 /// Limits that more than one layer must agree on.
 namespace striate {

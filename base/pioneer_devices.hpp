@@ -4,8 +4,8 @@
 #include <chrono>
 #include <cstddef>
 
-#include "base/geometry.hpp"
-#include "base/time.hpp"
+#include "striate/base/geometry.hpp"
+#include "striate/base/time.hpp"
 
 /// Where a Pioneer 3-DX's devices sit, from the middle of its axle: what the simulated and the real
 /// one must agree on. Sonar: its operations manual; the rest measured for an LMS-2xx on a p3dx-sh.
@@ -39,9 +39,9 @@ inline constexpr double kEyesApart_m = 0.12;
 inline constexpr double kServoStep_rad = radians(300.0) / 1023.0;
 
 /// One step of its speed: 0.111 turns a minute.
-inline constexpr double kServoSpeedStep_rad_s = 0.111 * 2.0 * kHalfTurn_rad / 60.0;
+inline constexpr double kServoSpeedStep_rad_s = 0.111 * 2.0 * kPi / 60.0;
 
 /// One count of the heading that the base reports.
-inline constexpr double kHeadingCount_rad = 2.0 * kHalfTurn_rad / 4096.0;
+inline constexpr double kHeadingCount_rad = 2.0 * kPi / 4096.0;
 
 }  // namespace striate

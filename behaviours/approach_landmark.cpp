@@ -1,11 +1,11 @@
-#include "behaviours/approach_landmark.hpp"
+#include "striate/behaviours/approach_landmark.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "behaviours/short_format.hpp"
+#include "striate/behaviours/control/short_format.hpp"
 
-namespace striate {
+namespace striate::behaviours {
 namespace {
 
 // "By hand": README.md, "Where the numbers come from"; the missions are seek.yaml and
@@ -42,27 +42,27 @@ ApproachLandmark::ApproachLandmark(const Settings& settings, const RobotDescript
   straight_.count = 2;
 }
 
-void ApproachLandmark::start(const ShortTermMemory& memory) {
+void ApproachLandmark::start(const memory::ShortTermMemory& memory) {
   journey_.start(memory);
   enter(State::driving, memory);
 }
 
-void ApproachLandmark::enter(State state, const ShortTermMemory& memory) {
+void ApproachLandmark::enter(State state, const memory::ShortTermMemory& memory) {
   state_ = state;
   entered_ = memory.now();
-  nearest_m_ = kNothing_m;
+  nearest_m_ = perception::kNothing_m;
   nearest_at_ = memory.now();
 }
 
-Wish ApproachLandmark::watch(const ShortTermMemory& memory, const LandmarkInMind& landmark,
-                             ShortText why) const {
+Wish ApproachLandmark::watch(const memory::ShortTermMemory& memory,
+                             const memory::LandmarkInMind& landmark, ShortText why) const {
   Wish wish = standing_wish(memory, why);
   wish.pan_rad = std::clamp(landmark.bearing_rad, -robot_.max_pan_rad, robot_.max_pan_rad);
   return wish;
 }
 
-Wish ApproachLandmark::tick(const ShortTermMemory& memory) {
-  const LandmarkInMind* landmark = memory.landmarks().find(settings_.landmark);
+Wish ApproachLandmark::tick(const memory::ShortTermMemory& memory) {
+  const memory::LandmarkInMind* landmark = memory.landmarks().find(settings_.landmark);
   if (landmark == nullptr || !landmark->place_known) {
     return final_wish(memory, Progress::failed,
                       short_format("does not know where '{}' is", settings_.landmark));
@@ -81,7 +81,8 @@ Wish ApproachLandmark::tick(const ShortTermMemory& memory) {
   return wish;
 }
 
-Wish ApproachLandmark::close_in(const ShortTermMemory& memory, const LandmarkInMind& landmark) {
+Wish ApproachLandmark::close_in(const memory::ShortTermMemory& memory,
+                                const memory::LandmarkInMind& landmark) {
   const double left_m = distance_to_m(memory, landmark.place) - settings_.stop_at_m;
   if (left_m < nearest_m_ - kNearer_m) {
     nearest_m_ = left_m;
@@ -111,7 +112,8 @@ Wish ApproachLandmark::close_in(const ShortTermMemory& memory, const LandmarkInM
   return wish;
 }
 
-Wish ApproachLandmark::face(const ShortTermMemory& memory, const LandmarkInMind& landmark) {
+Wish ApproachLandmark::face(const memory::ShortTermMemory& memory,
+                            const memory::LandmarkInMind& landmark) {
   const double off_rad = landmark.bearing_rad;
   const bool facing = std::abs(off_rad) < kFacing_rad;
   const bool seen = memory.landmarks().in_sight(settings_.landmark, memory.now(), kFresh);
@@ -129,4 +131,4 @@ Wish ApproachLandmark::face(const ShortTermMemory& memory, const LandmarkInMind&
   return wish;
 }
 
-}  // namespace striate
+}  // namespace striate::behaviours

@@ -3,11 +3,11 @@
 #include <cstdint>
 #include <string>
 
-#include "behaviours/behaviour.hpp"
-#include "behaviours/journey.hpp"
-#include "config/settings.hpp"
+#include "striate/behaviours/control/behaviour.hpp"
+#include "striate/behaviours/navigation/journey.hpp"
+#include "striate/config/settings.hpp"
 
-namespace striate {
+namespace striate::behaviours {
 
 /// Drives up to a landmark that was recognised and stops at a distance, facing it: far off like
 /// any journey, the last metre straight at it with the eyes on it, because the landmark and what
@@ -25,24 +25,24 @@ class ApproachLandmark : public Behaviour {
   static constexpr const char* kRequired[] = {"landmark"};
 
   ApproachLandmark(const Settings& settings, const RobotDescription& robot);
-  void start(const ShortTermMemory& memory) override;
-  Wish tick(const ShortTermMemory& memory) override;
+  void start(const memory::ShortTermMemory& memory) override;
+  Wish tick(const memory::ShortTermMemory& memory) override;
 
  private:
   enum class State : std::uint8_t { driving, closing, facing };
-  void enter(State state, const ShortTermMemory& memory);
-  Wish close_in(const ShortTermMemory& memory, const LandmarkInMind& landmark);
-  Wish face(const ShortTermMemory& memory, const LandmarkInMind& landmark);
+  void enter(State state, const memory::ShortTermMemory& memory);
+  Wish close_in(const memory::ShortTermMemory& memory, const memory::LandmarkInMind& landmark);
+  Wish face(const memory::ShortTermMemory& memory, const memory::LandmarkInMind& landmark);
   /// Stands with the eyes on the landmark.
-  [[nodiscard]] Wish watch(const ShortTermMemory& memory, const LandmarkInMind& landmark,
-                           ShortText why) const;
+  [[nodiscard]] Wish watch(const memory::ShortTermMemory& memory,
+                           const memory::LandmarkInMind& landmark, ShortText why) const;
 
   Settings settings_;
   RobotDescription robot_;
   Journey journey_;
   FloorField field_;
   Steering steering_;
-  Way straight_;
+  Path straight_;
   State state_ = State::driving;
   TimePoint entered_{};
   double nearest_m_ = 0.0;  ///< while it closes in
@@ -58,4 +58,4 @@ void visit(V& v, ApproachLandmark::Settings& s) {
   v.section("driving", s.driving);
 }
 
-}  // namespace striate
+}  // namespace striate::behaviours

@@ -1,10 +1,10 @@
 #pragma once
 
-#include "behaviours/behaviour.hpp"
-#include "behaviours/way_follower.hpp"
-#include "config/settings.hpp"
+#include "striate/behaviours/control/behaviour.hpp"
+#include "striate/behaviours/navigation/path_follower.hpp"
+#include "striate/config/settings.hpp"
 
-namespace striate {
+namespace striate::behaviours {
 
 /// Goes round what stands ahead or lets it pass: gaps are tested against the robot's outline with
 /// margin in short-term memory, people are waited for, and it backs out where no gap is left.
@@ -18,14 +18,15 @@ class Avoid : public Behaviour {
   };
 
   Avoid(const Settings& settings, const RobotDescription& robot);
-  void start(const ShortTermMemory& memory) override;
-  Wish tick(const ShortTermMemory& memory) override;
+  void start(const memory::ShortTermMemory& memory) override;
+  Wish tick(const memory::ShortTermMemory& memory) override;
 
  private:
-  [[nodiscard]] bool straight_way_open(const ShortTermMemory& memory, const Course& course) const;
+  [[nodiscard]] bool straight_path_open(const memory::ShortTermMemory& memory,
+                                        const Course& course) const;
   Settings settings_;
   RobotDescription robot_;
-  WayFollower follower_;
+  PathFollower follower_;
   bool back_ = false;
   int open_ticks_ = 0;
 };
@@ -39,4 +40,4 @@ void visit(V& v, Avoid::Settings& s) {
   v.section("driving", s.driving);
 }
 
-}  // namespace striate
+}  // namespace striate::behaviours

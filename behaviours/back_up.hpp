@@ -1,12 +1,12 @@
 #pragma once
 
-#include "behaviours/behaviour.hpp"
-#include "behaviours/behind.hpp"
-#include "behaviours/straight_line.hpp"
-#include "config/settings.hpp"
-#include "platform/interface/robot.hpp"
+#include "striate/behaviours/control/behaviour.hpp"
+#include "striate/behaviours/navigation/behind.hpp"
+#include "striate/behaviours/navigation/straight_line.hpp"
+#include "striate/config/settings.hpp"
+#include "striate/platform/interface/robot.hpp"
 
-namespace striate {
+namespace striate::behaviours {
 
 /// Drives straight back over a distance: slowly, because no eye looks there. With `known_floor` it
 /// ends as failed where the floor behind was neither seen free nor driven over.
@@ -21,8 +21,8 @@ class BackUp : public Behaviour {
       : known_floor_(settings.known_floor),
         robot_(robot),
         line_(settings.distance_m, -settings.speed_m_s) {}
-  void start(const ShortTermMemory& memory) override { line_.start(memory); }
-  Wish tick(const ShortTermMemory& memory) override {
+  void start(const memory::ShortTermMemory& memory) override { line_.start(memory); }
+  Wish tick(const memory::ShortTermMemory& memory) override {
     const Wish wish = line_.tick(memory);
     if (!known_floor_ || wish.progress != Progress::running) return wish;
     if (free_behind_m(memory, robot_) > kRoomBehind_m) return wish;
@@ -44,4 +44,4 @@ void visit(V& v, BackUp::Settings& s) {
   v.flag("known_floor", s.known_floor, "only over floor that was seen free or driven over");
 }
 
-}  // namespace striate
+}  // namespace striate::behaviours

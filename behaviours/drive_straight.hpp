@@ -1,11 +1,11 @@
 #pragma once
 
-#include "behaviours/behaviour.hpp"
-#include "behaviours/straight_line.hpp"
-#include "config/settings.hpp"
-#include "platform/interface/robot.hpp"
+#include "striate/behaviours/control/behaviour.hpp"
+#include "striate/behaviours/navigation/straight_line.hpp"
+#include "striate/config/settings.hpp"
+#include "striate/platform/interface/robot.hpp"
 
-namespace striate {
+namespace striate::behaviours {
 
 /// Drives straight ahead over a distance, keeping the heading it began with.
 class DriveStraight : public Behaviour {
@@ -16,8 +16,8 @@ class DriveStraight : public Behaviour {
   };
   DriveStraight(const Settings& settings, const RobotDescription& /*robot*/)
       : line_(settings.distance_m, settings.speed_m_s) {}
-  void start(const ShortTermMemory& memory) override { line_.start(memory); }
-  Wish tick(const ShortTermMemory& memory) override { return line_.tick(memory); }
+  void start(const memory::ShortTermMemory& memory) override { line_.start(memory); }
+  Wish tick(const memory::ShortTermMemory& memory) override { return line_.tick(memory); }
   [[nodiscard]] Motors motors() const override { return Motors::wheels; }
 
  private:
@@ -31,4 +31,4 @@ void visit(V& v, DriveStraight::Settings& s) {
   v.number("speed", s.speed_m_s, Unit::speed, {0.05, 0.75}, "how fast");
 }
 
-}  // namespace striate
+}  // namespace striate::behaviours

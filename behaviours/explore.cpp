@@ -1,11 +1,11 @@
-#include "behaviours/explore.hpp"
+#include "striate/behaviours/explore.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "behaviours/short_format.hpp"
+#include "striate/behaviours/control/short_format.hpp"
 
-namespace striate {
+namespace striate::behaviours {
 namespace {
 
 // "By hand": README.md, "Where the numbers come from"; the mission is config/tasks/explore.yaml,
@@ -27,7 +27,7 @@ constexpr double kAtPassed_m = 0.9;  // by hand, as near as kAtGoal_m
 // By hand: floor that a round over all that was given up must bring; less is next to nothing.
 constexpr double kWorthARound_m2 = 2.0;
 constexpr double kReturnLongest_s = 120.0;  // by hand: 48 m at 0.40 m/s
-constexpr double kDwell_s = 0.5;            // by hand: several pictures in each direction
+constexpr double kDwell_s = 0.5;            // by hand: several images in each direction
 constexpr int kTurns = 3;                   // a whole turn, by kTurn_rad
 constexpr double kTurn_rad = 2.1;           // three of them are a whole turn
 // By hand: half of the turn rate that the body allows; a third of a turn takes 3.5 s and its end.
@@ -47,7 +47,7 @@ Explore::Explore(const Settings& settings, const RobotDescription& robot)
       gaze_(settings.sweep_rad, kDwell_s, 0, robot),
       journey_(settings.driving, robot) {}
 
-void Explore::start(const ShortTermMemory& memory) {
+void Explore::start(const memory::ShortTermMemory& memory) {
   finder_.forget();
   goal_ = {};
   passed_count_ = 0;
@@ -58,19 +58,19 @@ void Explore::start(const ShortTermMemory& memory) {
   enter(State::looking, memory);
 }
 
-void Explore::enter(State state, const ShortTermMemory& memory) {
+void Explore::enter(State state, const memory::ShortTermMemory& memory) {
   state_ = state;
   entered_ = memory.now();
   found_at_ = memory.now();
   nearest_at_ = memory.now();
-  nearest_m_ = kNothing_m;
+  nearest_m_ = perception::kNothing_m;
   if (state == State::looking) gaze_.start(memory);
   if (state == State::driving || state == State::returning) journey_.start(memory);
   turn_left_rad_ = kTurn_rad;
   last_heading_rad_ = memory.pose().heading_rad;
 }
 
-Wish Explore::tick(const ShortTermMemory& memory) {
+Wish Explore::tick(const memory::ShortTermMemory& memory) {
   if (to_seconds(memory.now() - thought_) >= kThinkEvery_s) think(memory);
   switch (state_) {
     case State::looking:
@@ -85,14 +85,14 @@ Wish Explore::tick(const ShortTermMemory& memory) {
   return drive(memory);
 }
 
-void Explore::think(const ShortTermMemory& memory) {
+void Explore::think(const memory::ShortTermMemory& memory) {
   thought_ = memory.now();
   field_.update(memory.map());
   finder_.note(field_, memory.pose());
   if (state_ == State::driving) choose(memory);
 }
 
-void Explore::choose(const ShortTermMemory& memory) {
+void Explore::choose(const memory::ShortTermMemory& memory) {
   const Frontier before = goal_;
   goal_ = finder_.find(field_, memory.pose());
   if (!goal_.found) return;
@@ -101,7 +101,7 @@ void Explore::choose(const ShortTermMemory& memory) {
   finder_.prefer(goal_.place);
   if (before.found && apart_m(before.place, goal_.place) < kSameGoal_m) return;
   if (before.found) remember_passed(before.place);
-  nearest_m_ = kNothing_m;
+  nearest_m_ = perception::kNothing_m;
   nearest_at_ = memory.now();
 }
 
@@ -113,7 +113,7 @@ void Explore::remember_passed(Point2 place) {
   if (!known && passed_count_ < kPassed) passed_[passed_count_++] = place;
 }
 
-bool Explore::pick_passed(const ShortTermMemory& memory) {
+bool Explore::pick_passed(const memory::ShortTermMemory& memory) {
   std::size_t kept = 0;
   for (std::size_t i = 0; i < passed_count_; ++i) {
     const bool still = finder_.unknown_round_m2(field_, passed_[i]) > kWorthReturning_m2 &&
@@ -128,7 +128,7 @@ bool Explore::pick_passed(const ShortTermMemory& memory) {
   return true;
 }
 
-Wish Explore::leave(const ShortTermMemory& memory, Point2 place) {
+Wish Explore::leave(const memory::ShortTermMemory& memory, Point2 place) {
   finder_.avoid(place);
   goal_ = {};
   if (distance_to_m(memory, place) > kAtGoal_m && ++failures_ >= settings_.failures) {
@@ -139,7 +139,7 @@ Wish Explore::leave(const ShortTermMemory& memory, Point2 place) {
   return standing_wish(memory, "leaves this edge of the map");
 }
 
-Wish Explore::drive(const ShortTermMemory& memory) {
+Wish Explore::drive(const memory::ShortTermMemory& memory) {
   if (!goal_.found) {
     if (to_seconds(memory.now() - found_at_) > kMissing_s) {
       enter(State::looking, memory);
@@ -165,7 +165,7 @@ Wish Explore::drive(const ShortTermMemory& memory) {
   return wish;
 }
 
-Wish Explore::look(const ShortTermMemory& memory) {
+Wish Explore::look(const memory::ShortTermMemory& memory) {
   Wish wish = standing_wish(memory, "looks round for the edge of the map");
   if (gaze_.tick(memory, wish)) return wish;
   think(memory);
@@ -197,7 +197,7 @@ bool Explore::tries_again() {
   return true;
 }
 
-Wish Explore::turn(const ShortTermMemory& memory) {
+Wish Explore::turn(const memory::ShortTermMemory& memory) {
   turn_left_rad_ -= wrap_angle(memory.pose().heading_rad - last_heading_rad_);
   last_heading_rad_ = memory.pose().heading_rad;
   Wish wish = standing_wish(memory, "turns to see what is behind");
@@ -211,7 +211,7 @@ Wish Explore::turn(const ShortTermMemory& memory) {
   return wish;
 }
 
-Wish Explore::go_back(const ShortTermMemory& memory) {
+Wish Explore::go_back(const memory::ShortTermMemory& memory) {
   if (distance_to_m(memory, back_to_) < kAtPassed_m) {
     turns_ = 0;
     enter(State::looking, memory);
@@ -224,4 +224,4 @@ Wish Explore::go_back(const ShortTermMemory& memory) {
   return wish;
 }
 
-}  // namespace striate
+}  // namespace striate::behaviours

@@ -4,13 +4,13 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "behaviours/behaviour.hpp"
-#include "behaviours/frontier.hpp"
-#include "behaviours/gaze_round.hpp"
-#include "behaviours/journey.hpp"
-#include "config/settings.hpp"
+#include "striate/behaviours/control/behaviour.hpp"
+#include "striate/behaviours/navigation/frontier.hpp"
+#include "striate/behaviours/navigation/gaze_round.hpp"
+#include "striate/behaviours/navigation/journey.hpp"
+#include "striate/config/settings.hpp"
 
-namespace striate {
+namespace striate::behaviours {
 
 /// Drives where memory knows least, mapping as it goes: to the edge of the known floor round which
 /// most is unknown, again and again, also round corners. Where no edge is left it looks round,
@@ -26,26 +26,26 @@ class Explore : public Behaviour {
   };
 
   Explore(const Settings& settings, const RobotDescription& robot);
-  void start(const ShortTermMemory& memory) override;
-  Wish tick(const ShortTermMemory& memory) override;
+  void start(const memory::ShortTermMemory& memory) override;
+  Wish tick(const memory::ShortTermMemory& memory) override;
   [[nodiscard]] const KnownFloor& known() const { return finder_.known(); }
 
  private:
   enum class State : std::uint8_t { driving, looking, turning, returning };
   static constexpr std::size_t kPassed = 32;  ///< by hand: 48 m of corridor at 1.5 m apart
-  void enter(State state, const ShortTermMemory& memory);
-  void think(const ShortTermMemory& memory);
-  void choose(const ShortTermMemory& memory);
+  void enter(State state, const memory::ShortTermMemory& memory);
+  void think(const memory::ShortTermMemory& memory);
+  void choose(const memory::ShortTermMemory& memory);
   void remember_passed(Point2 place);
   /// The nearest edge that was passed and is still one; false where there is none.
-  [[nodiscard]] bool pick_passed(const ShortTermMemory& memory);
+  [[nodiscard]] bool pick_passed(const memory::ShortTermMemory& memory);
   bool tries_again();
-  Wish drive(const ShortTermMemory& memory);
-  Wish look(const ShortTermMemory& memory);
-  Wish turn(const ShortTermMemory& memory);
-  Wish go_back(const ShortTermMemory& memory);
+  Wish drive(const memory::ShortTermMemory& memory);
+  Wish look(const memory::ShortTermMemory& memory);
+  Wish turn(const memory::ShortTermMemory& memory);
+  Wish go_back(const memory::ShortTermMemory& memory);
   /// Leaves a goal that cannot be reached.
-  Wish leave(const ShortTermMemory& memory, Point2 place);
+  Wish leave(const memory::ShortTermMemory& memory, Point2 place);
 
   Settings settings_;
   FloorField field_;
@@ -78,4 +78,4 @@ void visit(V& v, Explore::Settings& s) {
   v.section("driving", s.driving);
 }
 
-}  // namespace striate
+}  // namespace striate::behaviours

@@ -1,11 +1,11 @@
-#include "behaviours/go_to.hpp"
+#include "striate/behaviours/go_to.hpp"
 
-#include "behaviours/short_format.hpp"
+#include "striate/behaviours/control/short_format.hpp"
 
-namespace striate {
+namespace striate::behaviours {
 
-Wish GoTo::tick(const ShortTermMemory& memory) {
-  const LandmarkInMind* landmark = memory.landmarks().find(settings_.landmark);
+Wish GoTo::tick(const memory::ShortTermMemory& memory) {
+  const memory::LandmarkInMind* landmark = memory.landmarks().find(settings_.landmark);
   if (landmark == nullptr || !landmark->place_known) {
     return final_wish(memory, Progress::failed,
                       short_format("does not know where '{}' is", settings_.landmark));
@@ -21,4 +21,4 @@ Wish GoTo::tick(const ShortTermMemory& memory) {
   return wish;
 }
 
-}  // namespace striate
+}  // namespace striate::behaviours

@@ -2,11 +2,11 @@
 
 #include <string>
 
-#include "behaviours/behaviour.hpp"
-#include "behaviours/journey.hpp"
-#include "config/settings.hpp"
+#include "striate/behaviours/control/behaviour.hpp"
+#include "striate/behaviours/navigation/journey.hpp"
+#include "striate/config/settings.hpp"
 
-namespace striate {
+namespace striate::behaviours {
 
 /// Drives to the place of a landmark that the robot knows: recognised in this run, or recalled by
 /// long-term memory. Each look at it on the way corrects where it is, and so the course. Succeeds
@@ -24,8 +24,8 @@ class GoTo : public Behaviour {
 
   GoTo(const Settings& settings, const RobotDescription& robot)
       : settings_(settings), journey_(settings.driving, robot) {}
-  void start(const ShortTermMemory& memory) override { journey_.start(memory); }
-  Wish tick(const ShortTermMemory& memory) override;
+  void start(const memory::ShortTermMemory& memory) override { journey_.start(memory); }
+  Wish tick(const memory::ShortTermMemory& memory) override;
 
  private:
   Settings settings_;
@@ -41,4 +41,4 @@ void visit(V& v, GoTo::Settings& s) {
   v.section("driving", s.driving);
 }
 
-}  // namespace striate
+}  // namespace striate::behaviours

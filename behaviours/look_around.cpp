@@ -1,12 +1,12 @@
-#include "behaviours/look_around.hpp"
+#include "striate/behaviours/look_around.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "behaviours/view_angles.hpp"
+#include "striate/behaviours/view_angles.hpp"
 
-namespace striate {
+namespace striate::behaviours {
 namespace {
 
 struct Gaze {
@@ -18,7 +18,7 @@ constexpr double kNear_rad = -0.5;  // the floor is in view from 1.2 m on: 1.2 m
 constexpr std::array<Gaze, 6> kGazes{Gaze{0.0, true},   Gaze{1.0, true},  Gaze{1.0, false},
                                      Gaze{-1.0, false}, Gaze{-1.0, true}, Gaze{0.0, false}};
 constexpr double kThere_rad = 0.05;  // by hand, 3 degrees of the 43 of the view
-constexpr double kLongest_s = 4.0;  // by hand: a head that does not get there is not waited for
+constexpr double kLongest_s = 4.0;   // by hand: a head that does not get there is not waited for
 
 }  // namespace
 
@@ -27,13 +27,13 @@ LookAround::LookAround(const Settings& settings, const RobotDescription& robot)
   settings_.pan_rad = std::min(settings_.pan_rad, robot_.max_pan_rad);
 }
 
-void LookAround::start(const ShortTermMemory& memory) {
+void LookAround::start(const memory::ShortTermMemory& memory) {
   step_ = 0;
   there_ = false;
   step_began_ = memory.now();
 }
 
-Wish LookAround::tick(const ShortTermMemory& memory) {
+Wish LookAround::tick(const memory::ShortTermMemory& memory) {
   if (step_ >= static_cast<int>(kGazes.size())) {
     return final_wish(memory, Progress::succeeded, "looked round");
   }
@@ -55,4 +55,4 @@ Wish LookAround::tick(const ShortTermMemory& memory) {
   return wish;
 }
 
-}  // namespace striate
+}  // namespace striate::behaviours

@@ -1,10 +1,10 @@
 #pragma once
 
-#include "behaviours/behaviour.hpp"
-#include "config/settings.hpp"
-#include "platform/interface/robot.hpp"
+#include "striate/behaviours/control/behaviour.hpp"
+#include "striate/config/settings.hpp"
+#include "striate/platform/interface/robot.hpp"
 
-namespace striate {
+namespace striate::behaviours {
 
 /// Turns the head to the left, to the right and back, looking far and then near on each side.
 class LookAround : public Behaviour {
@@ -14,8 +14,8 @@ class LookAround : public Behaviour {
     double dwell_s = 0.7;
   };
   LookAround(const Settings& settings, const RobotDescription& robot);
-  void start(const ShortTermMemory& memory) override;
-  Wish tick(const ShortTermMemory& memory) override;
+  void start(const memory::ShortTermMemory& memory) override;
+  Wish tick(const memory::ShortTermMemory& memory) override;
   [[nodiscard]] Motors motors() const override { return Motors::head; }
   [[nodiscard]] bool can_fail() const override { return false; }
 
@@ -35,4 +35,4 @@ void visit(V& v, LookAround::Settings& s) {
   v.number("dwell", s.dwell_s, Unit::duration, {0.1, 30}, "how long it looks each time");
 }
 
-}  // namespace striate
+}  // namespace striate::behaviours

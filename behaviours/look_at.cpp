@@ -1,9 +1,9 @@
-#include "behaviours/look_at.hpp"
+#include "striate/behaviours/look_at.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-namespace striate {
+namespace striate::behaviours {
 namespace {
 
 constexpr double kThere_rad = 0.05;  // by hand, 3 degrees of the 43 of the view
@@ -16,18 +16,18 @@ LookAt::LookAt(const Settings& settings, const RobotDescription& robot)
   settings_.tilt_rad = std::clamp(settings_.tilt_rad, -robot.max_tilt_rad, robot.max_tilt_rad);
 }
 
-void LookAt::start(const ShortTermMemory& memory) {
+void LookAt::start(const memory::ShortTermMemory& memory) {
   started_ = memory.now();
   there_ = false;
   pan_rad_ = std::clamp(settings_.pan_rad, -max_pan_rad_, max_pan_rad_);
   region_ = 0;
   if (settings_.target != Target::salient) return;
-  const RememberedRegion* region = memory.salient().most_interesting(memory.now());
+  const memory::RememberedRegion* region = memory.salient().most_interesting(memory.now());
   if (region != nullptr) region_ = region->id;
 }
 
-bool LookAt::follow(const ShortTermMemory& memory) {
-  for (const RememberedRegion& region : memory.salient().regions()) {
+bool LookAt::follow(const memory::ShortTermMemory& memory) {
+  for (const memory::RememberedRegion& region : memory.salient().regions()) {
     if (!region.used || region.id != region_) continue;
     pan_rad_ = std::clamp(region.bearing_rad, -max_pan_rad_, max_pan_rad_);
     return true;
@@ -35,7 +35,7 @@ bool LookAt::follow(const ShortTermMemory& memory) {
   return false;
 }
 
-Wish LookAt::tick(const ShortTermMemory& memory) {
+Wish LookAt::tick(const memory::ShortTermMemory& memory) {
   if (settings_.target == Target::salient && !follow(memory)) {
     return there_ ? final_wish(memory, Progress::succeeded, "looked at it until it was forgotten")
                   : final_wish(memory, Progress::failed, "nothing salient to look at");
@@ -55,4 +55,4 @@ Wish LookAt::tick(const ShortTermMemory& memory) {
   return wish;
 }
 
-}  // namespace striate
+}  // namespace striate::behaviours

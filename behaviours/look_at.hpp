@@ -2,11 +2,11 @@
 
 #include <cstdint>
 
-#include "behaviours/behaviour.hpp"
-#include "config/settings.hpp"
-#include "platform/interface/robot.hpp"
+#include "striate/behaviours/control/behaviour.hpp"
+#include "striate/config/settings.hpp"
+#include "striate/platform/interface/robot.hpp"
 
-namespace striate {
+namespace striate::behaviours {
 
 /// Turns the head to a direction, or to what short-term memory holds as most salient, and looks
 /// there for a while. The choice is made once; the region is then followed while it is remembered.
@@ -25,13 +25,13 @@ class LookAt : public Behaviour {
     return {.tilt_rad = robot.resting_tilt_rad};
   }
   LookAt(const Settings& settings, const RobotDescription& robot);
-  void start(const ShortTermMemory& memory) override;
-  Wish tick(const ShortTermMemory& memory) override;
+  void start(const memory::ShortTermMemory& memory) override;
+  Wish tick(const memory::ShortTermMemory& memory) override;
   [[nodiscard]] Motors motors() const override { return Motors::head; }
 
  private:
   /// Where the chosen region is now; false once it is forgotten.
-  bool follow(const ShortTermMemory& memory);
+  bool follow(const memory::ShortTermMemory& memory);
 
   Settings settings_;
   double max_pan_rad_;
@@ -51,4 +51,4 @@ void visit(V& v, LookAt::Settings& s) {
   v.number("for", s.for_s, Unit::duration, {0, 600}, "how long it looks there");
 }
 
-}  // namespace striate
+}  // namespace striate::behaviours

@@ -1,23 +1,23 @@
-#include "behaviours/registry.hpp"
+#include "striate/behaviours/registry.hpp"
 
-#include "behaviours/approach_landmark.hpp"
-#include "behaviours/avoid.hpp"
-#include "behaviours/back_up.hpp"
-#include "behaviours/drive_straight.hpp"
-#include "behaviours/explore.hpp"
-#include "behaviours/go_to.hpp"
-#include "behaviours/look_around.hpp"
-#include "behaviours/look_at.hpp"
-#include "behaviours/return_to_start.hpp"
-#include "behaviours/say.hpp"
-#include "behaviours/seek_landmark.hpp"
-#include "behaviours/stop.hpp"
-#include "behaviours/teach.hpp"
-#include "behaviours/traverse_corridor.hpp"
-#include "behaviours/turn_to.hpp"
-#include "behaviours/wait.hpp"
+#include "striate/behaviours/approach_landmark.hpp"
+#include "striate/behaviours/avoid.hpp"
+#include "striate/behaviours/back_up.hpp"
+#include "striate/behaviours/drive_straight.hpp"
+#include "striate/behaviours/explore.hpp"
+#include "striate/behaviours/go_to.hpp"
+#include "striate/behaviours/look_around.hpp"
+#include "striate/behaviours/look_at.hpp"
+#include "striate/behaviours/return_to_start.hpp"
+#include "striate/behaviours/say.hpp"
+#include "striate/behaviours/seek_landmark.hpp"
+#include "striate/behaviours/stop.hpp"
+#include "striate/behaviours/teach.hpp"
+#include "striate/behaviours/traverse_corridor.hpp"
+#include "striate/behaviours/turn_to.hpp"
+#include "striate/behaviours/wait.hpp"
 
-namespace striate {
+namespace striate::behaviours {
 
 const std::vector<BehaviourEntry>& behaviour_registry() {
   static const std::vector<BehaviourEntry> entries{
@@ -62,4 +62,4 @@ config::Node detail::with_main(const config::Node& arguments, const std::string&
   return map;
 }
 
-}  // namespace striate
+}  // namespace striate::behaviours

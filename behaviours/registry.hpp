@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
-#include "behaviours/behaviour.hpp"
-#include "config/settings.hpp"
-#include "platform/interface/robot.hpp"
+#include "striate/behaviours/control/behaviour.hpp"
+#include "striate/config/settings.hpp"
+#include "striate/platform/interface/robot.hpp"
 
-namespace striate {
+namespace striate::behaviours {
 
 /// One behaviour that task scripts may name.
 struct BehaviourEntry {
@@ -17,8 +17,9 @@ struct BehaviourEntry {
   std::string help;  ///< one line
   /// Builds it from its arguments; an absent node (of kind nothing) means all defaults. Wrong
   /// arguments are added to the mistakes; the result is then not to be run, but never null.
-  std::function<std::unique_ptr<Behaviour>(
-      const config::Node& arguments, config::Mistakes& mistakes, const RobotDescription& robot)>
+  std::function<std::unique_ptr<Behaviour>(const config::Node& arguments,
+                                           config::Diagnostics& diagnostics,
+                                           const RobotDescription& robot)>
       make;
   /// Name, default, range and meaning of every argument.
   std::function<std::vector<config::SettingLine>()> parameters;
@@ -72,11 +73,11 @@ BehaviourEntry behaviour_entry(const std::string& name, const std::string& help)
   entry.main = detail::main_of<B>();
   entry.required = detail::required_of<B>();
   entry.make = [name, main = entry.main, required = entry.required](
-                   const config::Node& given, config::Mistakes& mistakes,
+                   const config::Node& given, config::Diagnostics& diagnostics,
                    const RobotDescription& robot) -> std::unique_ptr<Behaviour> {
     typename B::Settings settings = detail::defaults_of<B>(robot);
     const config::Node arguments = detail::with_main(given, main);
-    config::SettingsReader reader(arguments, name, mistakes);
+    config::SettingsReader reader(arguments, name, diagnostics);
     visit(reader, settings);
     for (const std::string& key : required) reader.require(key);
     reader.finish();
@@ -91,4 +92,4 @@ BehaviourEntry behaviour_entry(const std::string& name, const std::string& help)
   return entry;
 }
 
-}  // namespace striate
+}  // namespace striate::behaviours

@@ -1,13 +1,14 @@
-#include "behaviours/return_to_start.hpp"
+#include "striate/behaviours/return_to_start.hpp"
 
-#include "behaviours/short_format.hpp"
+#include "striate/behaviours/control/short_format.hpp"
 
-namespace striate {
+namespace striate::behaviours {
 namespace {
 
 /// Landmarks seen on the way correct where the start is; without a memory odometry alone says it.
-Point2 start_of(const ShortTermMemory& memory) {
-  const Pose2 start = memory.place().active() ? memory.place().start() : memory.trail().start();
+Point2 start_of(const memory::ShortTermMemory& memory) {
+  const Pose2 start =
+      memory.place().active() ? memory.place().start() : memory.trajectory().start();
   return {start.x_m, start.y_m};
 }
 
@@ -17,12 +18,12 @@ Point2 start_of(const ShortTermMemory& memory) {
 ReturnToStart::ReturnToStart(const Settings& settings, const RobotDescription& robot)
     : settings_(settings), journey_(settings.driving, robot), turn_(TurnTo::Settings{}, robot) {}
 
-void ReturnToStart::start(const ShortTermMemory& memory) {
+void ReturnToStart::start(const memory::ShortTermMemory& memory) {
   there_ = false;
   journey_.start(memory);
 }
 
-Wish ReturnToStart::tick(const ShortTermMemory& memory) {
+Wish ReturnToStart::tick(const memory::ShortTermMemory& memory) {
   if (there_) return turn_.tick(memory);
   const Point2 home = start_of(memory);
   const double left_m = distance_to_m(memory, home);
@@ -39,4 +40,4 @@ Wish ReturnToStart::tick(const ShortTermMemory& memory) {
   return wish;
 }
 
-}  // namespace striate
+}  // namespace striate::behaviours

@@ -1,11 +1,11 @@
 #pragma once
 
-#include "behaviours/behaviour.hpp"
-#include "behaviours/journey.hpp"
-#include "behaviours/turn_to.hpp"
-#include "config/settings.hpp"
+#include "striate/behaviours/control/behaviour.hpp"
+#include "striate/behaviours/navigation/journey.hpp"
+#include "striate/behaviours/turn_to.hpp"
+#include "striate/config/settings.hpp"
 
-namespace striate {
+namespace striate::behaviours {
 
 /// The way back to where the run began, along the robot's own trail, also when new obstacles stand
 /// in it. Succeeds near the start; with `facing` after it has turned to the first heading.
@@ -19,8 +19,8 @@ class ReturnToStart : public Behaviour {
   };
 
   ReturnToStart(const Settings& settings, const RobotDescription& robot);
-  void start(const ShortTermMemory& memory) override;
-  Wish tick(const ShortTermMemory& memory) override;
+  void start(const memory::ShortTermMemory& memory) override;
+  Wish tick(const memory::ShortTermMemory& memory) override;
 
  private:
   Settings settings_;
@@ -38,4 +38,4 @@ void visit(V& v, ReturnToStart::Settings& s) {
   v.section("driving", s.driving);
 }
 
-}  // namespace striate
+}  // namespace striate::behaviours

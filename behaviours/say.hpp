@@ -2,11 +2,11 @@
 
 #include <string>
 
-#include "behaviours/behaviour.hpp"
-#include "config/settings.hpp"
-#include "platform/interface/robot.hpp"
+#include "striate/behaviours/control/behaviour.hpp"
+#include "striate/config/settings.hpp"
+#include "striate/platform/interface/robot.hpp"
 
-namespace striate {
+namespace striate::behaviours {
 
 /// Shows a text to people: it is what the robot gives as its reason while this runs.
 class Say : public Behaviour {
@@ -20,8 +20,8 @@ class Say : public Behaviour {
 
   Say(const Settings& settings, const RobotDescription& /*robot*/)
       : text_(std::string_view("says: " + settings.text)), for_s_(settings.for_s) {}
-  void start(const ShortTermMemory& memory) override { started_ = memory.now(); }
-  Wish tick(const ShortTermMemory& memory) override {
+  void start(const memory::ShortTermMemory& memory) override { started_ = memory.now(); }
+  Wish tick(const memory::ShortTermMemory& memory) override {
     if (to_seconds(memory.now() - started_) >= for_s_) {
       return final_wish(memory, Progress::succeeded, text_);
     }
@@ -42,4 +42,4 @@ void visit(V& v, Say::Settings& s) {
   v.number("for", s.for_s, config::Unit::duration, {0, 600}, "how long it is shown");
 }
 
-}  // namespace striate
+}  // namespace striate::behaviours

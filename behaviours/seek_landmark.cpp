@@ -1,13 +1,13 @@
-#include "behaviours/seek_landmark.hpp"
+#include "striate/behaviours/seek_landmark.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "behaviours/short_format.hpp"
-#include "behaviours/traverse_corridor.hpp"
+#include "striate/behaviours/control/short_format.hpp"
+#include "striate/behaviours/traverse_corridor.hpp"
 
-namespace striate {
+namespace striate::behaviours {
 namespace {
 
 // "By hand": README.md, "Where the numbers come from"; the tests are SeekLandmark.*.
@@ -19,7 +19,7 @@ constexpr double kCandidateFresh_s = 1.5;
 constexpr double kCandidateLongest_s = 4.0;
 // By hand: a way no longer than this is a dead end when it stays so, while the robot faces along
 // the corridor within 29 degrees.
-constexpr double kEndWay_m = 1.2;
+constexpr double kEndPath_m = 1.2;
 constexpr double kEnd_s = 3.0;
 constexpr double kAligned_rad = 0.5;
 
@@ -31,7 +31,7 @@ SeekLandmark::SeekLandmark(const Settings& settings, const RobotDescription& rob
       gaze_(settings.sweep_rad, settings.dwell_s, settings.regions, robot),
       follower_(settings.driving, robot) {}
 
-void SeekLandmark::start(const ShortTermMemory& memory) {
+void SeekLandmark::start(const memory::ShortTermMemory& memory) {
   const double off_rad = wrap_angle(memory.pose().heading_rad - memory.corridor().axis_rad());
   back_ = std::abs(off_rad) > 0.5 * std::numbers::pi;
   turned_ = 0;
@@ -40,22 +40,22 @@ void SeekLandmark::start(const ShortTermMemory& memory) {
   look_round(memory);
 }
 
-void SeekLandmark::look_round(const ShortTermMemory& memory) {
+void SeekLandmark::look_round(const memory::ShortTermMemory& memory) {
   state_ = State::looking;
   gaze_.start(memory);
 }
 
-const LandmarkInMind* SeekLandmark::candidate(const ShortTermMemory& memory) const {
-  const LandmarkInMind* landmark = memory.landmarks().find(settings_.landmark);
+const memory::LandmarkInMind* SeekLandmark::candidate(const memory::ShortTermMemory& memory) const {
+  const memory::LandmarkInMind* landmark = memory.landmarks().find(settings_.landmark);
   if (landmark == nullptr || landmark->sightings == 0) return nullptr;
   return to_seconds(memory.now() - landmark->last_seen) < kCandidateFresh_s ? landmark : nullptr;
 }
 
-Wish SeekLandmark::tick(const ShortTermMemory& memory) {
+Wish SeekLandmark::tick(const memory::ShortTermMemory& memory) {
   if (memory.landmarks().in_sight(settings_.landmark, memory.now(), kNow)) {
     return final_wish(memory, Progress::succeeded, short_format("sees '{}'", settings_.landmark));
   }
-  const LandmarkInMind* perhaps = candidate(memory);
+  const memory::LandmarkInMind* perhaps = candidate(memory);
   if (perhaps == nullptr) {
     watching_ = false;
   } else if (!watching_) {
@@ -70,7 +70,7 @@ Wish SeekLandmark::tick(const ShortTermMemory& memory) {
   return state_ == State::looking ? look(memory) : drive(memory);
 }
 
-Wish SeekLandmark::look(const ShortTermMemory& memory) {
+Wish SeekLandmark::look(const memory::ShortTermMemory& memory) {
   Wish wish = standing_wish(memory, short_format("looks for '{}'", settings_.landmark));
   if (gaze_.tick(memory, wish)) return wish;
   state_ = State::driving;
@@ -81,16 +81,16 @@ Wish SeekLandmark::look(const ShortTermMemory& memory) {
 }
 
 /// The planned way stays too short, while the robot looks along the corridor.
-bool SeekLandmark::corridor_ends(const ShortTermMemory& memory) {
-  const Way& way = follower_.way();
+bool SeekLandmark::corridor_ends(const memory::ShortTermMemory& memory) {
+  const Path& way = follower_.way();
   const double heading_rad =
       wrap_angle(memory.corridor().axis_rad() + (back_ ? std::numbers::pi : 0.0));
   const bool turning = std::abs(wrap_angle(memory.pose().heading_rad - heading_rad)) > kAligned_rad;
-  if (turning || (way.found && way.progress_m > kEndWay_m)) open_at_ = memory.now();
+  if (turning || (way.found && way.progress_m > kEndPath_m)) open_at_ = memory.now();
   return to_seconds(memory.now() - open_at_) > kEnd_s;
 }
 
-Wish SeekLandmark::drive(const ShortTermMemory& memory) {
+Wish SeekLandmark::drive(const memory::ShortTermMemory& memory) {
   Wish wish =
       follower_.tick(memory, corridor_course(memory.corridor(), back_, settings_.speed_m_s));
   if (wish.progress == Progress::failed || corridor_ends(memory)) return turn_back(memory);
@@ -98,7 +98,7 @@ Wish SeekLandmark::drive(const ShortTermMemory& memory) {
   return wish;
 }
 
-Wish SeekLandmark::turn_back(const ShortTermMemory& memory) {
+Wish SeekLandmark::turn_back(const memory::ShortTermMemory& memory) {
   if (turned_ >= settings_.turns) {
     return final_wish(memory, Progress::failed,
                       short_format("does not find '{}' here", settings_.landmark));
@@ -109,4 +109,4 @@ Wish SeekLandmark::turn_back(const ShortTermMemory& memory) {
   return standing_wish(memory, "the way ends here: turns back");
 }
 
-}  // namespace striate
+}  // namespace striate::behaviours

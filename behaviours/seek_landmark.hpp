@@ -3,12 +3,12 @@
 #include <cstdint>
 #include <string>
 
-#include "behaviours/behaviour.hpp"
-#include "behaviours/gaze_round.hpp"
-#include "behaviours/way_follower.hpp"
-#include "config/settings.hpp"
+#include "striate/behaviours/control/behaviour.hpp"
+#include "striate/behaviours/navigation/gaze_round.hpp"
+#include "striate/behaviours/navigation/path_follower.hpp"
+#include "striate/config/settings.hpp"
 
-namespace striate {
+namespace striate::behaviours {
 
 /// Looks for a landmark: stands and turns the head to both sides and from salient region to salient
 /// region, drives on along the corridor to see more, turns back where it ends. A first recognition
@@ -29,23 +29,24 @@ class SeekLandmark : public Behaviour {
   static constexpr const char* kRequired[] = {"landmark"};
 
   SeekLandmark(const Settings& settings, const RobotDescription& robot);
-  void start(const ShortTermMemory& memory) override;
-  Wish tick(const ShortTermMemory& memory) override;
+  void start(const memory::ShortTermMemory& memory) override;
+  Wish tick(const memory::ShortTermMemory& memory) override;
 
  private:
   enum class State : std::uint8_t { looking, driving };
-  void look_round(const ShortTermMemory& memory);
-  Wish look(const ShortTermMemory& memory);
-  Wish drive(const ShortTermMemory& memory);
-  Wish turn_back(const ShortTermMemory& memory);
+  void look_round(const memory::ShortTermMemory& memory);
+  Wish look(const memory::ShortTermMemory& memory);
+  Wish drive(const memory::ShortTermMemory& memory);
+  Wish turn_back(const memory::ShortTermMemory& memory);
   /// A recognition that is not confirmed yet, and fresh; nullptr if there is none.
-  [[nodiscard]] const LandmarkInMind* candidate(const ShortTermMemory& memory) const;
-  [[nodiscard]] bool corridor_ends(const ShortTermMemory& memory);
+  [[nodiscard]] const memory::LandmarkInMind* candidate(
+      const memory::ShortTermMemory& memory) const;
+  [[nodiscard]] bool corridor_ends(const memory::ShortTermMemory& memory);
 
   Settings settings_;
   RobotDescription robot_;
   GazeRound gaze_;
-  WayFollower follower_;
+  PathFollower follower_;
   State state_ = State::looking;
   bool back_ = false;
   int turned_ = 0;
@@ -68,4 +69,4 @@ void visit(V& v, SeekLandmark::Settings& s) {
   v.section("driving", s.driving);
 }
 
-}  // namespace striate
+}  // namespace striate::behaviours

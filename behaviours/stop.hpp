@@ -1,18 +1,18 @@
 #pragma once
 
-#include "behaviours/behaviour.hpp"
-#include "config/settings.hpp"
-#include "platform/interface/robot.hpp"
+#include "striate/behaviours/control/behaviour.hpp"
+#include "striate/config/settings.hpp"
+#include "striate/platform/interface/robot.hpp"
 
-namespace striate {
+namespace striate::behaviours {
 
 /// Stands still; succeeds when the robot stands.
 class Stop : public Behaviour {
  public:
   struct Settings {};
   Stop(const Settings& /*settings*/, const RobotDescription& /*robot*/) {}
-  void start(const ShortTermMemory& /*memory*/) override {}
-  Wish tick(const ShortTermMemory& memory) override;
+  void start(const memory::ShortTermMemory& /*memory*/) override {}
+  Wish tick(const memory::ShortTermMemory& memory) override;
   [[nodiscard]] Motors motors() const override { return Motors::wheels; }
   [[nodiscard]] bool can_fail() const override { return false; }
 };
@@ -20,4 +20,4 @@ class Stop : public Behaviour {
 template <class V>
 void visit(V& /*v*/, Stop::Settings& /*s*/) {}
 
-}  // namespace striate
+}  // namespace striate::behaviours

@@ -1,9 +1,9 @@
-#include "behaviours/teach.hpp"
+#include "striate/behaviours/teach.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-namespace striate {
+namespace striate::behaviours {
 namespace {
 
 // "By hand": README.md, "Where the numbers come from". Looked at on `striate trial --objects`,
@@ -13,19 +13,20 @@ constexpr double kAhead_rad = 0.4;   // half the view: what is farther aside is 
 constexpr double kFarthest_m = 3.0;  // by hand: recognition reaches 2.5 m (`trial --objects`)
 constexpr int kLeastHits = 3;        // by hand, as many looks as confirm a landmark
 constexpr double kChooses_s = 6.0;   // by hand: nothing has stood out for so long
-constexpr double kSettles_s = 0.8;   // by hand: longer than a picture takes to arrive
+constexpr double kSettles_s = 0.8;   // by hand: longer than an image takes to arrive
 constexpr double kThere_m = 0.12;    // by hand: a place this near is not driven to
-constexpr double kSpeed_m_s = 0.25;  // by hand: that of unknown floor, PaceSettings::unknown_m_s
-// By hand: faster than this it does not stand still, and the picture may be blurred.
+constexpr double kSpeed_m_s =
+    0.25;  // by hand: that of unknown floor, SpeedLimitSettings::unknown_m_s
+// By hand: faster than this it does not stand still, and the image may be blurred.
 constexpr double kStill_m_s = 0.01;
 constexpr double kStill_rad_s = 0.02;
 
-double bearing_of(const Point2& place, const ShortTermMemory& memory) {
-  const Point2 here = to_inner(memory.pose(), place);
+double bearing_of(const Point2& place, const memory::ShortTermMemory& memory) {
+  const Point2 here = inverse_transform(memory.pose(), place);
   return std::atan2(here.y_m, here.x_m);
 }
 
-double away_m(const Point2& place, const ShortTermMemory& memory) {
+double away_m(const Point2& place, const memory::ShortTermMemory& memory) {
   return std::hypot(place.x_m - memory.pose().x_m, place.y_m - memory.pose().y_m);
 }
 
@@ -34,13 +35,13 @@ double away_m(const Point2& place, const ShortTermMemory& memory) {
 Teach::Teach(const Settings& settings, const RobotDescription& robot)
     : settings_(settings), robot_(robot) {}
 
-void Teach::start(const ShortTermMemory& memory) {
+void Teach::start(const memory::ShortTermMemory& memory) {
   phase_ = Phase::choose;
   since_ = memory.now();
   view_ = kept_ = 0;
 }
 
-Wish Teach::tick(const ShortTermMemory& memory) {
+Wish Teach::tick(const memory::ShortTermMemory& memory) {
   if (phase_ == Phase::choose) return choose(memory);
   if (phase_ == Phase::settle) return settle(memory);
   if (phase_ == Phase::done) return end(memory);
@@ -65,17 +66,17 @@ Wish Teach::tick(const ShortTermMemory& memory) {
 }
 
 /// Of the salient regions ahead whose distance is known, the most active.
-Wish Teach::choose(const ShortTermMemory& memory) {
-  const RememberedRegion* best = nullptr;
-  for (const RememberedRegion& region : memory.salient().regions()) {
+Wish Teach::choose(const memory::ShortTermMemory& memory) {
+  const memory::RememberedRegion* best = nullptr;
+  for (const memory::RememberedRegion& region : memory.salient().regions()) {
     const bool fits = region.used && region.hits >= kLeastHits && region.distance_m < kFarthest_m &&
                       std::abs(region.bearing_rad) < kAhead_rad;
     if (fits && (best == nullptr || region.activation > best->activation)) best = &region;
   }
   const double waited_s = to_seconds(memory.now() - since_);
   if (best != nullptr && waited_s > kSettles_s) {
-    thing_ = to_outer(memory.pose(), Point2{best->distance_m * std::cos(best->bearing_rad),
-                                            best->distance_m * std::sin(best->bearing_rad)});
+    thing_ = transform(memory.pose(), Point2{best->distance_m * std::cos(best->bearing_rad),
+                                             best->distance_m * std::sin(best->bearing_rad)});
     line_rad_ = std::atan2(memory.pose().y_m - thing_.y_m, memory.pose().x_m - thing_.x_m);
     turn_towards(thing_, memory, Phase::face);
   } else if (waited_s > kChooses_s) {
@@ -86,7 +87,7 @@ Wish Teach::choose(const ShortTermMemory& memory) {
   return wish;
 }
 
-Wish Teach::settle(const ShortTermMemory& memory) {
+Wish Teach::settle(const memory::ShortTermMemory& memory) {
   const bool moves =
       std::abs(memory.forward_m_s()) > kStill_m_s || std::abs(memory.turn_rad_s()) > kStill_rad_s;
   if (moves) since_ = memory.now();
@@ -98,7 +99,7 @@ Wish Teach::settle(const ShortTermMemory& memory) {
   return with_head(standing_wish(memory, kTakesView), memory);
 }
 
-void Teach::next_place(const ShortTermMemory& memory) {
+void Teach::next_place(const memory::ShortTermMemory& memory) {
   ++view_;
   if (view_ >= settings_.views) {
     phase_ = Phase::done;
@@ -108,12 +109,12 @@ void Teach::next_place(const ShortTermMemory& memory) {
   turn_towards(goal_, memory, Phase::turn_there);
 }
 
-Wish Teach::end(const ShortTermMemory& memory) const {
+Wish Teach::end(const memory::ShortTermMemory& memory) const {
   return kept_ > 0 ? final_wish(memory, Progress::succeeded, "looked at it from all sides")
                    : final_wish(memory, Progress::failed, "cannot look at it from here");
 }
 
-void Teach::turn_towards(const Point2& place, const ShortTermMemory& memory, Phase phase) {
+void Teach::turn_towards(const Point2& place, const memory::ShortTermMemory& memory, Phase phase) {
   phase_ = phase;
   // An angle of exactly 0 would mean a heading instead.
   const double by_rad = bearing_of(place, memory);
@@ -134,10 +135,10 @@ Point2 Teach::place_of_view(int number) const {
 }
 
 /// The head looks at the thing, as far as it can.
-Wish Teach::with_head(Wish wish, const ShortTermMemory& memory) const {
+Wish Teach::with_head(Wish wish, const memory::ShortTermMemory& memory) const {
   wish.pan_rad = std::clamp(bearing_of(thing_, memory), -robot_.max_pan_rad, robot_.max_pan_rad);
   wish.tilt_rad = settings_.tilt_rad;
   return wish;
 }
 
-}  // namespace striate
+}  // namespace striate::behaviours

@@ -2,26 +2,26 @@
 
 #include <optional>
 
-#include "behaviours/behaviour.hpp"
-#include "behaviours/straight_line.hpp"
-#include "behaviours/turn_to.hpp"
-#include "config/settings.hpp"
+#include "striate/behaviours/control/behaviour.hpp"
+#include "striate/behaviours/navigation/straight_line.hpp"
+#include "striate/behaviours/turn_to.hpp"
+#include "striate/config/settings.hpp"
 
-namespace striate {
+namespace striate::behaviours {
 
 /// Shows a thing to memory: picks what stands out ahead, and looks at it from several places, from
-/// where it is, from nearer, and from both sides. At each place it stands still until the picture
+/// where it is, from nearer, and from both sides. At each place it stands still until the image
 /// is sharp and then says kTakesView for one cycle; who teaches keeps the view then. A place that
 /// cannot be reached is left out.
 class Teach : public Behaviour {
  public:
   struct Settings {
-    int views = 4;  ///< with these eight of eight things were found: `trial --objects`
+    int views = 4;         ///< with these eight of eight things were found: `trial --objects`
     double near_m = 1.05;  ///< by hand: about the nearest distance of `trial --objects`
     double aside_rad = radians(25.0);  ///< by hand: two views 50 degrees apart
     double tilt_rad = RobotDescription{}.resting_tilt_rad;
   };
-  /// The reason of the wish in the cycle whose picture is to be kept.
+  /// The reason of the wish in the cycle whose image is to be kept.
   static constexpr const char* kTakesView = "looks still: a view is kept";
 
   /// With the head's resting tilt of that robot.
@@ -29,20 +29,20 @@ class Teach : public Behaviour {
     return {.tilt_rad = robot.resting_tilt_rad};
   }
   Teach(const Settings& settings, const RobotDescription& robot);
-  void start(const ShortTermMemory& memory) override;
-  Wish tick(const ShortTermMemory& memory) override;
+  void start(const memory::ShortTermMemory& memory) override;
+  Wish tick(const memory::ShortTermMemory& memory) override;
 
  private:
   enum class Phase { choose, turn_there, drive_there, face, settle, done };
 
-  Wish choose(const ShortTermMemory& memory);
-  Wish settle(const ShortTermMemory& memory);
-  Wish end(const ShortTermMemory& memory) const;
+  Wish choose(const memory::ShortTermMemory& memory);
+  Wish settle(const memory::ShortTermMemory& memory);
+  Wish end(const memory::ShortTermMemory& memory) const;
   /// Goes on with the next place, or to the end.
-  void next_place(const ShortTermMemory& memory);
-  void turn_towards(const Point2& place, const ShortTermMemory& memory, Phase phase);
+  void next_place(const memory::ShortTermMemory& memory);
+  void turn_towards(const Point2& place, const memory::ShortTermMemory& memory, Phase phase);
   [[nodiscard]] Point2 place_of_view(int number) const;
-  [[nodiscard]] Wish with_head(Wish wish, const ShortTermMemory& memory) const;
+  [[nodiscard]] Wish with_head(Wish wish, const memory::ShortTermMemory& memory) const;
 
   Settings settings_;
   RobotDescription robot_;
@@ -66,4 +66,4 @@ void visit(V& v, Teach::Settings& s) {
   v.number("tilt", s.tilt_rad, Unit::angle, {-0.6, 0.6}, "of the head, up positive");
 }
 
-}  // namespace striate
+}  // namespace striate::behaviours

@@ -1,9 +1,9 @@
-#include "behaviours/traverse_corridor.hpp"
+#include "striate/behaviours/traverse_corridor.hpp"
 
 #include <cmath>
 #include <numbers>
 
-namespace striate {
+namespace striate::behaviours {
 namespace {
 
 // By hand, a standard deviation: half the room beside the robot in a gap of 1.2 m.
@@ -11,7 +11,7 @@ constexpr double kSureOffset_m = 0.20;
 
 }  // namespace
 
-Course corridor_course(const CorridorMemory& corridor, bool back, double cruise_m_s) {
+Course corridor_course(const memory::CorridorMemory& corridor, bool back, double cruise_m_s) {
   Course course;
   course.direction_rad = wrap_angle(corridor.axis_rad() + (back ? std::numbers::pi : 0.0));
   course.wanted_left_m = back ? corridor.offset_m() : -corridor.offset_m();
@@ -27,14 +27,14 @@ Course corridor_course(const CorridorMemory& corridor, bool back, double cruise_
 TraverseCorridor::TraverseCorridor(const Settings& settings, const RobotDescription& robot)
     : settings_(settings), follower_(settings.driving, robot) {}
 
-void TraverseCorridor::start(const ShortTermMemory& memory) {
+void TraverseCorridor::start(const memory::ShortTermMemory& memory) {
   const double off_rad = wrap_angle(memory.pose().heading_rad - memory.corridor().axis_rad());
   if (!failed_) back_ = std::abs(off_rad) > 0.5 * std::numbers::pi;
   failed_ = false;
   follower_.start(memory);
 }
 
-Wish TraverseCorridor::tick(const ShortTermMemory& memory) {
+Wish TraverseCorridor::tick(const memory::ShortTermMemory& memory) {
   if (settings_.distance_m > 0.0 && follower_.headway_m() >= settings_.distance_m) {
     return final_wish(memory, Progress::succeeded, "the way is made");
   }
@@ -48,4 +48,4 @@ Wish TraverseCorridor::tick(const ShortTermMemory& memory) {
   return wish;
 }
 
-}  // namespace striate
+}  // namespace striate::behaviours

@@ -2,11 +2,11 @@
 
 #include <cstdint>
 
-#include "behaviours/behaviour.hpp"
-#include "behaviours/way_follower.hpp"
-#include "config/settings.hpp"
+#include "striate/behaviours/control/behaviour.hpp"
+#include "striate/behaviours/navigation/path_follower.hpp"
+#include "striate/config/settings.hpp"
 
-namespace striate {
+namespace striate::behaviours {
 
 /// Drives along the corridor: keeps its heading and its middle (or a side), goes round what
 /// stands in it, and always returns to the first heading. Runs until it is halted, or until
@@ -25,14 +25,14 @@ class TraverseCorridor : public Behaviour {
   };
 
   TraverseCorridor(const Settings& settings, const RobotDescription& robot);
-  void start(const ShortTermMemory& memory) override;
-  Wish tick(const ShortTermMemory& memory) override;
+  void start(const memory::ShortTermMemory& memory) override;
+  Wish tick(const memory::ShortTermMemory& memory) override;
   [[nodiscard]] bool ends_by_itself() const override { return settings_.distance_m > 0.0; }
-  [[nodiscard]] const WayFollower& follower() const { return follower_; }
+  [[nodiscard]] const PathFollower& follower() const { return follower_; }
 
  private:
   Settings settings_;
-  WayFollower follower_;
+  PathFollower follower_;
   bool back_ = false;    ///< against the axis
   bool failed_ = false;  ///< the last time that it ran
 };
@@ -50,6 +50,7 @@ void visit(V& v, TraverseCorridor::Settings& s) {
 }
 
 /// The course along the remembered corridor: `back` against its axis. Used by all that travel.
-[[nodiscard]] Course corridor_course(const CorridorMemory& corridor, bool back, double cruise_m_s);
+[[nodiscard]] Course corridor_course(const memory::CorridorMemory& corridor, bool back,
+                                     double cruise_m_s);
 
-}  // namespace striate
+}  // namespace striate::behaviours

@@ -1,9 +1,9 @@
-#include "behaviours/turn_to.hpp"
+#include "striate/behaviours/turn_to.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-namespace striate {
+namespace striate::behaviours {
 namespace {
 
 // "By hand": README.md, "Where the numbers come from"; the tests are TurnTo.*.
@@ -25,7 +25,7 @@ TurnTo::TurnTo(const Settings& settings, const RobotDescription& robot) : settin
   settings_.rate_rad_s = std::min(settings_.rate_rad_s, robot.max_turn_rad_s);
 }
 
-void TurnTo::start(const ShortTermMemory& memory) {
+void TurnTo::start(const memory::ShortTermMemory& memory) {
   last_heading_rad_ = memory.pose().heading_rad;
   const double target_rad = memory.corridor().axis_rad() + settings_.heading_rad;
   left_rad_ =
@@ -34,7 +34,7 @@ void TurnTo::start(const ShortTermMemory& memory) {
   least_left_at_ = memory.now();
 }
 
-Wish TurnTo::tick(const ShortTermMemory& memory) {
+Wish TurnTo::tick(const memory::ShortTermMemory& memory) {
   left_rad_ -= wrap_angle(memory.pose().heading_rad - last_heading_rad_);
   last_heading_rad_ = memory.pose().heading_rad;
   const double far_rad = std::abs(left_rad_);
@@ -59,4 +59,4 @@ Wish TurnTo::tick(const ShortTermMemory& memory) {
   return wish;
 }
 
-}  // namespace striate
+}  // namespace striate::behaviours

@@ -1,10 +1,10 @@
 #pragma once
 
-#include "behaviours/behaviour.hpp"
-#include "config/settings.hpp"
-#include "platform/interface/robot.hpp"
+#include "striate/behaviours/control/behaviour.hpp"
+#include "striate/config/settings.hpp"
+#include "striate/platform/interface/robot.hpp"
 
-namespace striate {
+namespace striate::behaviours {
 
 /// Turns on the spot: by an angle, or to a heading that counts from the corridor's axis (0 deg
 /// faces along it, 180 deg back). An angle beyond half a turn is turned in full.
@@ -16,8 +16,8 @@ class TurnTo : public Behaviour {
     double rate_rad_s = 0.7;  ///< by hand, below the 1.2 rad/s that the body allows
   };
   TurnTo(const Settings& settings, const RobotDescription& robot);
-  void start(const ShortTermMemory& memory) override;
-  Wish tick(const ShortTermMemory& memory) override;
+  void start(const memory::ShortTermMemory& memory) override;
+  Wish tick(const memory::ShortTermMemory& memory) override;
 
  private:
   Settings settings_;
@@ -37,4 +37,4 @@ void visit(V& v, TurnTo::Settings& s) {
   v.number("rate", s.rate_rad_s, Unit::turn_rate, {0.05, 1.2}, "how fast");
 }
 
-}  // namespace striate
+}  // namespace striate::behaviours

@@ -1,15 +1,15 @@
-#include "behaviours/view_angles.hpp"
+#include "striate/behaviours/view_angles.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-namespace striate {
+namespace striate::behaviours {
 namespace {
 
 constexpr double kPioneerPan_rad = 0.16;
 constexpr double kLaneSeen_m = 1.0;
 
-/// Half the vertical angle; pictures are 4:3.
+/// Half the vertical angle; images are 4:3.
 double half_upright_rad(const RobotDescription& robot) {
   return std::atan(0.75 * std::tan(0.5 * robot.view_rad));
 }
@@ -35,4 +35,4 @@ double pan_while_driving(const RobotDescription& robot) {
   return std::max(0.0, kPioneerPan_rad + more_rad);
 }
 
-}  // namespace striate
+}  // namespace striate::behaviours

@@ -1,12 +1,12 @@
-#include "behaviours/wait.hpp"
+#include "striate/behaviours/wait.hpp"
 
-namespace striate {
+namespace striate::behaviours {
 
-Wish Wait::tick(const ShortTermMemory& memory) {
+Wish Wait::tick(const memory::ShortTermMemory& memory) {
   if (to_seconds(memory.now() - started_) >= settings_.for_s) {
     return final_wish(memory, Progress::succeeded, "waited");
   }
   return standing_wish(memory, "waits");
 }
 
-}  // namespace striate
+}  // namespace striate::behaviours

@@ -1,10 +1,10 @@
 #pragma once
 
-#include "behaviours/behaviour.hpp"
-#include "config/settings.hpp"
-#include "platform/interface/robot.hpp"
+#include "striate/behaviours/control/behaviour.hpp"
+#include "striate/config/settings.hpp"
+#include "striate/platform/interface/robot.hpp"
 
-namespace striate {
+namespace striate::behaviours {
 
 /// Stands for a while.
 class Wait : public Behaviour {
@@ -14,8 +14,8 @@ class Wait : public Behaviour {
   };
   static constexpr const char* kMain = "for";  ///< `- wait: 3 s`
   Wait(const Settings& settings, const RobotDescription& /*robot*/) : settings_(settings) {}
-  void start(const ShortTermMemory& memory) override { started_ = memory.now(); }
-  Wish tick(const ShortTermMemory& memory) override;
+  void start(const memory::ShortTermMemory& memory) override { started_ = memory.now(); }
+  Wish tick(const memory::ShortTermMemory& memory) override;
   [[nodiscard]] Motors motors() const override { return Motors::nothing; }
   [[nodiscard]] bool can_fail() const override { return false; }
 
@@ -29,4 +29,4 @@ void visit(V& v, Wait::Settings& s) {
   v.number("for", s.for_s, config::Unit::duration, {0, 86400}, "how long");
 }
 
-}  // namespace striate
+}  // namespace striate::behaviours

@@ -1,3 +1,11 @@
+# Headers are included as "striate/<folder>/<file>", here and where Striate is installed, so nothing
+# of a user's include path is claimed but `striate/`. In the build tree that is a folder of links.
+set(STRIATE_INCLUDE_DIR ${PROJECT_BINARY_DIR}/include)
+file(MAKE_DIRECTORY ${STRIATE_INCLUDE_DIR}/striate)
+foreach(folder agent app base behaviours config evaluation memory perception platform tasks)
+  file(CREATE_LINK ${PROJECT_SOURCE_DIR}/${folder} ${STRIATE_INCLUDE_DIR}/striate/${folder} SYMBOLIC)
+endforeach()
+
 # striate_layer(<name> <folder> "<layers it may include>") makes the library striate::<name> of all
 # sources below the folder and notes the rule for the include test.
 
@@ -5,7 +13,7 @@ function(striate_layer name folder allowed)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/${folder}/*.cpp)
   list(REMOVE_ITEM sources ${CMAKE_SOURCE_DIR}/app/main.cpp)
   if(NOT STRIATE_ROS_FOUND)
-    list(FILTER sources EXCLUDE REGEX "/(platform|app)/ros/")
+    list(FILTER sources EXCLUDE REGEX "/(platform|agent|app)/ros/")
   endif()
   if(sources)
     add_library(striate_${name} STATIC ${sources})
@@ -16,7 +24,7 @@ function(striate_layer name folder allowed)
     set(scope INTERFACE)
   endif()
   add_library(striate::${name} ALIAS striate_${name})
-  target_include_directories(striate_${name} ${scope} ${CMAKE_SOURCE_DIR})
+  target_include_directories(striate_${name} ${scope} $<BUILD_INTERFACE:${STRIATE_INCLUDE_DIR}>)
   separate_arguments(deps UNIX_COMMAND "${allowed}")
   foreach(dep IN LISTS deps)
     target_link_libraries(striate_${name} ${scope} striate::${dep})

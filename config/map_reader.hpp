@@ -1,9 +1,10 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "config/quantity.hpp"
+#include "striate/config/quantity.hpp"
 
 namespace striate::config {
 
@@ -12,7 +13,7 @@ namespace striate::config {
 class MapReader {
  public:
   /// Adds a mistake if `node` is no map. `what` names it in messages: "a door", "world".
-  MapReader(const Node& node, std::string what, Mistakes& mistakes);
+  MapReader(const Node& node, std::string what, Diagnostics& diagnostics);
   ~MapReader() = default;
   MapReader(const MapReader&) = delete;
   MapReader& operator=(const MapReader&) = delete;
@@ -29,11 +30,14 @@ class MapReader {
   const Node* raw(const std::string& key);
   /// A key without effect any more: a warning where it is given.
   void retired(const std::string& key, const std::string& note);
+  /// A key that has another name now: the old one is still read, with a warning. Call it before the
+  /// key is asked for.
+  void renamed(const std::string& was, const std::string& now);
   /// Says that a missing key is a mistake; returns whether it is there.
   bool require(const std::string& key);
 
   [[nodiscard]] const Node& node() const { return node_; }
-  [[nodiscard]] Mistakes& mistakes() { return mistakes_; }
+  [[nodiscard]] Diagnostics& diagnostics() { return diagnostics_; }
 
   /// Reports unknown keys with the nearest known one. Call once, last.
   void finish();
@@ -41,8 +45,9 @@ class MapReader {
  private:
   const Node& node_;
   std::string what_;
-  Mistakes& mistakes_;
+  Diagnostics& diagnostics_;
   std::vector<std::string> known_;
+  std::vector<std::pair<std::string, std::string>> renamed_;  ///< old name, new name
 };
 
 }  // namespace striate::config

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "config/mistakes.hpp"
+#include "striate/config/diagnostics.hpp"
 
 namespace striate::config {
 
@@ -14,7 +14,7 @@ struct Node {
   struct Entry;
 
   Kind kind = Kind::nothing;
-  Place place;
+  SourceLocation place;
   std::string text;            ///< of a scalar
   bool quoted = false;         ///< the scalar stood in quotes: never a number
   bool open = false;           ///< a scalar that is given later: fits every type for now
@@ -28,15 +28,8 @@ struct Node {
 
 struct Node::Entry {
   std::string key;
-  Place key_place;
+  SourceLocation key_place;
   Node value;
 };
-
-/// Reads YAML text strictly: duplicate keys, anchors, aliases, tags, several documents, more than
-/// 1 MB, 32 levels or 20,000 values are mistakes. Returns the root, of kind nothing if unreadable.
-Node parse_yaml(const std::string& text, Mistakes& mistakes);
-
-/// Reads a file; adds a mistake where it cannot be read.
-Node load_yaml(Mistakes& mistakes);
 
 }  // namespace striate::config

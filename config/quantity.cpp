@@ -1,11 +1,11 @@
-#include "config/quantity.hpp"
+#include "striate/config/quantity.hpp"
 
 #include <fmt/format.h>
 
 #include <charconv>
 #include <cmath>
 
-#include "base/geometry.hpp"
+#include "striate/base/geometry.hpp"
 
 namespace striate::config {
 namespace {
@@ -120,48 +120,49 @@ std::optional<double> parse_number(std::string_view text, std::string_view& rest
 
 /// The factor to SI of the unit that is written, or nothing with a mistake added.
 std::optional<double> unit_factor(const Node& node, Unit unit, const std::string& written,
-                                  Mistakes& mistakes) {
+                                  Diagnostics& diagnostics) {
   if (unit == Unit::none) {
     if (written.empty()) return 1.0;
-    mistakes.add(fault::wrong_unit, node.place,
-                 fmt::format("'{}' has a unit, but a plain number is wanted", node.text),
-                 fmt::format("leave '{}' away", written));
+    diagnostics.add(fault::wrong_unit, node.place,
+                    fmt::format("'{}' has a unit, but a plain number is wanted", node.text),
+                    fmt::format("leave '{}' away", written));
     return std::nullopt;
   }
   if (written.empty()) {
     if (unit == Unit::fraction) return 1.0;
-    mistakes.add(fault::no_unit, node.place, fmt::format("'{}' has no unit", node.text),
-                 fmt::format("write {}", example(unit)));
+    diagnostics.add(fault::no_unit, node.place, fmt::format("'{}' has no unit", node.text),
+                    fmt::format("write {}", example(unit)));
     return std::nullopt;
   }
   if (const UnitName* name = find_unit(unit, written)) return name->to_si;
   const char* kind = is_unit_of_another_kind(written) ? "the wrong unit" : "an unknown unit";
-  mistakes.add(fault::wrong_unit, node.place, fmt::format("'{}' has {}", node.text, kind),
-               fmt::format("write {} (units: {})", example(unit), units_of(unit)));
+  diagnostics.add(fault::wrong_unit, node.place, fmt::format("'{}' has {}", node.text, kind),
+                  fmt::format("write {} (units: {})", example(unit), units_of(unit)));
   return std::nullopt;
 }
 
 }  // namespace
 
-std::optional<double> read_quantity(const Node& node, Unit unit, Range range, Mistakes& mistakes) {
+std::optional<double> read_quantity(const Node& node, Unit unit, Range range,
+                                    Diagnostics& diagnostics) {
   if (node.open) return std::nullopt;
   std::string_view rest;
   std::optional<double> number;
   if (node.kind == Node::Kind::scalar && !node.quoted) number = parse_number(node.text, rest);
   if (!number) {
     const bool zero_first = node.text.size() > 1 && node.text[0] == '0' && !node.quoted;
-    mistakes.add(fault::no_number, node.place,
-                 fmt::format("{} is not {}", node.describe(), example(unit)),
-                 zero_first ? "a number does not begin with 0: some would read 010 as 8" : "");
+    diagnostics.add(fault::no_number, node.place,
+                    fmt::format("{} is not {}", node.describe(), example(unit)),
+                    zero_first ? "a number does not begin with 0: some would read 010 as 8" : "");
     return std::nullopt;
   }
-  const std::optional<double> factor = unit_factor(node, unit, trim(rest), mistakes);
+  const std::optional<double> factor = unit_factor(node, unit, trim(rest), diagnostics);
   if (!factor) return std::nullopt;
   const double value = *number * *factor;
   if (!std::isfinite(value) || value < range.low || value > range.high) {
-    mistakes.add(fault::out_of_range, node.place, fmt::format("'{}' is out of range", node.text),
-                 fmt::format("allowed is {} to {}", print_quantity(range.low, unit),
-                             print_quantity(range.high, unit)));
+    diagnostics.add(fault::out_of_range, node.place, fmt::format("'{}' is out of range", node.text),
+                    fmt::format("allowed is {} to {}", print_quantity(range.low, unit),
+                                print_quantity(range.high, unit)));
     return std::nullopt;
   }
   return value;

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "config/node.hpp"
+#include "striate/config/node.hpp"
 
 namespace striate::config {
 
@@ -30,7 +30,8 @@ struct Range {
 
 /// Reads "0.4 m/s" as SI. Adds a mistake with a hint for a missing or wrong unit, NaN, infinity,
 /// a number like 010, or a value outside `range` (inclusive, SI).
-std::optional<double> read_quantity(const Node& node, Unit unit, Range range, Mistakes& mistakes);
+std::optional<double> read_quantity(const Node& node, Unit unit, Range range,
+                                    Diagnostics& diagnostics);
 
 /// The value as a person writes it: 0.4 -> "0.4 m/s", 1.5708 rad -> "90 deg".
 std::string print_quantity(double value_si, Unit unit);

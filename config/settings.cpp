@@ -1,4 +1,4 @@
-#include "config/settings.hpp"
+#include "striate/config/settings.hpp"
 
 #include <fmt/format.h>
 

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "config/map_reader.hpp"
+#include "striate/config/map_reader.hpp"
 
 /// One `visit()` per settings struct lists key, field, unit and range; it parses, checks and
 /// prints. Defaults exist only in the struct's initialisers.
@@ -20,8 +20,8 @@ namespace striate::config {
 /// Reads a settings struct from a map.
 class SettingsReader {
  public:
-  SettingsReader(const Node& node, std::string what, Mistakes& mistakes)
-      : map_(node, std::move(what), mistakes) {}
+  SettingsReader(const Node& node, std::string what, Diagnostics& diagnostics)
+      : map_(node, std::move(what), diagnostics) {}
   void number(const char* key, double& field, Unit unit, Range range, const char* /*help*/) {
     map_.number(key, field, unit, range);
   }
@@ -32,6 +32,8 @@ class SettingsReader {
   void text(const char* key, std::string& field, const char* /*help*/) { map_.text(key, field); }
   /// A key that had a meaning once: still accepted, with a warning. @param note what to do instead
   void retired(const char* key, const char* note) { map_.retired(key, note); }
+  /// A key that has another name now; stands before the key itself in `visit()`.
+  void renamed(const char* was, const char* now) { map_.renamed(was, now); }
   template <class Enum>
   void choice(const char* key, Enum& field, const std::vector<std::string>& names,
               const char* /*help*/) {
@@ -42,7 +44,7 @@ class SettingsReader {
   template <class Section>
   void section(const char* key, Section& field) {
     if (const Node* node = map_.raw(key)) {
-      SettingsReader inner(*node, key, map_.mistakes());
+      SettingsReader inner(*node, key, map_.diagnostics());
       visit(inner, field);
       inner.finish();
     }
@@ -71,6 +73,7 @@ class SettingsPrinter {
   void flag(const char* key, bool& field, const char* help);
   void text(const char* key, std::string& field, const char* help);
   void retired(const char* /*key*/, const char* /*note*/) {}
+  void renamed(const char* /*was*/, const char* /*now*/) {}
   template <class Enum>
   void choice(const char* key, Enum& field, const std::vector<std::string>& names,
               const char* help) {

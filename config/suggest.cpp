@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "config/quantity.hpp"
+#include "striate/config/quantity.hpp"
 
 namespace striate::config {
 namespace {

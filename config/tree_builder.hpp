@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "config/node.hpp"
+#include "striate/config/node.hpp"
 
 namespace striate::config {
 
@@ -21,7 +21,7 @@ inline constexpr int kMaxValues = 20'000;
 /// Thrown where reading on makes no sense; the mistake is noted already.
 struct GiveUp {};
 
-inline Place place_of(const YAML::Mark& mark) {
+inline SourceLocation place_of(const YAML::Mark& mark) {
   return {mark.line + 1, mark.column + 1};
 }
 
@@ -29,7 +29,8 @@ inline Place place_of(const YAML::Mark& mark) {
 /// expands alias bombs and reads 010 as 8.
 class TreeBuilder final : public YAML::EventHandler {
  public:
-  TreeBuilder(const std::string& text, Mistakes& mistakes) : text_(text), mistakes_(mistakes) {}
+  TreeBuilder(const std::string& text, Diagnostics& diagnostics)
+      : text_(text), diagnostics_(diagnostics) {}
   Node take() { return std::move(root_); }
 
   void OnDocumentStart(const YAML::Mark&) override {}
@@ -43,8 +44,8 @@ class TreeBuilder final : public YAML::EventHandler {
   /// The parser does not follow aliases by itself, so a bomb of them stays small.
   void OnAlias(const YAML::Mark& mark, YAML::anchor_t) override {
     if (!alias_told_) {
-      mistakes_.add(fault::not_allowed, place_of(mark), "aliases (*name) are not allowed",
-                    "write the value out where it is needed");
+      diagnostics_.add(fault::not_allowed, place_of(mark), "aliases (*name) are not allowed",
+                       "write the value out where it is needed");
     }
     alias_told_ = true;
     Node node;
@@ -80,12 +81,12 @@ class TreeBuilder final : public YAML::EventHandler {
     Node node;
     bool key_is_next = true;
     std::string key;
-    Place key_place;
+    SourceLocation key_place;
   };
 
   /// Nothing has no place of its own: the parser gives that of what follows. Told is where the
   /// '-' or ':' before it stands.
-  [[nodiscard]] Place place_before(const YAML::Mark& mark) const {
+  [[nodiscard]] SourceLocation place_before(const YAML::Mark& mark) const {
     auto at = std::min(static_cast<std::size_t>(std::max(mark.pos, 0)), text_.size());
     while (at > 0 && std::string_view(" \t\r\n").find(text_[at - 1]) != std::string_view::npos)
       --at;
@@ -100,14 +101,14 @@ class TreeBuilder final : public YAML::EventHandler {
   void refuse_anchor(const YAML::Mark& mark, YAML::anchor_t anchor) {
     if (anchor == 0 || anchor_told_) return;
     anchor_told_ = true;
-    mistakes_.add(fault::not_allowed, place_of(mark), "anchors (&name) are not allowed",
-                  "write the value out where it is needed");
+    diagnostics_.add(fault::not_allowed, place_of(mark), "anchors (&name) are not allowed",
+                     "write the value out where it is needed");
   }
 
   void refuse_tag(const YAML::Mark& mark, const std::string& tag) {
     if (tag.empty() || tag == "?" || tag == "!") return;
-    mistakes_.add(fault::not_allowed, place_of(mark),
-                  fmt::format("tags ('{}') are not allowed", tag), "leave the tag away");
+    diagnostics_.add(fault::not_allowed, place_of(mark),
+                     fmt::format("tags ('{}') are not allowed", tag), "leave the tag away");
   }
 
   void open(Node::Kind kind, const YAML::Mark& mark, const std::string& tag,
@@ -115,9 +116,9 @@ class TreeBuilder final : public YAML::EventHandler {
     refuse_anchor(mark, anchor);
     refuse_tag(mark, tag);
     if (static_cast<int>(levels_.size()) >= kMaxDepth) {
-      mistakes_.add(fault::not_allowed, place_of(mark),
-                    fmt::format("nested deeper than {} levels", kMaxDepth),
-                    "split it into several files");
+      diagnostics_.add(fault::not_allowed, place_of(mark),
+                       fmt::format("nested deeper than {} levels", kMaxDepth),
+                       "split it into several files");
       throw GiveUp{};
     }
     Level level;
@@ -134,9 +135,9 @@ class TreeBuilder final : public YAML::EventHandler {
 
   void put(Node node) {
     if (++values_ > kMaxValues) {
-      mistakes_.add(fault::not_allowed, node.place,
-                    fmt::format("more than {} values in one file", kMaxValues),
-                    "split it into several files");
+      diagnostics_.add(fault::not_allowed, node.place,
+                       fmt::format("more than {} values in one file", kMaxValues),
+                       "split it into several files");
       throw GiveUp{};
     }
     if (levels_.empty()) {
@@ -156,10 +157,11 @@ class TreeBuilder final : public YAML::EventHandler {
 
   void take_key(Level& level, const Node& node) {
     if (node.kind != Node::Kind::scalar) {
-      mistakes_.add(fault::wrong_kind, node.place, "a key must be a plain word", "");
+      diagnostics_.add(fault::wrong_kind, node.place, "a key must be a plain word", "");
     } else if (const Node::Entry* earlier = level.node.find(node.text)) {
-      mistakes_.add(fault::duplicate_key, node.place, fmt::format("duplicate key '{}'", node.text),
-                    fmt::format("it stands already in line {}", earlier->key_place.line));
+      diagnostics_.add(fault::duplicate_key, node.place,
+                       fmt::format("duplicate key '{}'", node.text),
+                       fmt::format("it stands already in line {}", earlier->key_place.line));
     }
     level.key = node.text;
     level.key_place = node.place;
@@ -167,7 +169,7 @@ class TreeBuilder final : public YAML::EventHandler {
   }
 
   const std::string& text_;
-  Mistakes& mistakes_;
+  Diagnostics& diagnostics_;
   bool anchor_told_ = false;
   bool alias_told_ = false;
   int values_ = 0;

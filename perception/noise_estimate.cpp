@@ -1,11 +1,11 @@
-#include "perception/noise_estimate.hpp"
+#include "striate/perception/noise_estimate.hpp"
 
 #include <array>
 #include <cstdint>
 #include <cstdlib>
 #include <vector>
 
-namespace striate {
+namespace striate::perception {
 namespace {
 
 /// Magnitude of a response: what the kernel has of one sign sums to 8
@@ -66,4 +66,4 @@ double estimate_noise(const cv::Mat1b& grey) {
   return median / (kMedianOfNormal * kKernelNorm);
 }
 
-}  // namespace striate
+}  // namespace striate::perception

@@ -6,12 +6,12 @@
 #include <opencv2/core/mat.hpp>
 #include <vector>
 
-#include "base/geometry.hpp"
-#include "base/time.hpp"
+#include "striate/base/geometry.hpp"
+#include "striate/base/time.hpp"
 
 /// What perception hands on. Robot frame (x forward, y left, from the wheel axle) at the moment of
-/// the picture; image: u right, v down, pixel centres at integers.
-namespace striate {
+/// the image; image: u right, v down, pixel centres at integers.
+namespace striate::perception {
 
 /// Pixels: not finite, so that no arithmetic makes a measured disparity of it
 inline constexpr float kNoMatch = std::numeric_limits<float>::infinity();
@@ -68,7 +68,7 @@ struct MovingThing {
   int to_u_px = 0;
 };
 
-/// The corridor as one picture shows it.
+/// The corridor as one image shows it.
 struct CorridorView {
   bool valid = false;
   double heading_rad = 0.0;     ///< of the corridor's axis, in the robot frame
@@ -100,15 +100,15 @@ struct Descriptor {
 };
 
 struct Keypoint {
-  double u_px = 0.0;  ///< sub-pixel, in the picture that was handed in
+  double u_px = 0.0;  ///< sub-pixel, in the image that was handed in
   double v_px = 0.0;
-  double wavelength_px = 0.0;  ///< in that same picture
+  double wavelength_px = 0.0;  ///< in that same image
   double angle_rad = 0.0;      ///< from +u towards +v; 0 where the descriptor has no orientation
   double response = 0.0;
   Descriptor descriptor;
 };
 
-/// A landmark that was found again. Places are in the picture that the keypoints came from.
+/// A landmark that was found again. Places are in the image that the keypoints came from.
 struct Recognition {
   int landmark = 0;    ///< as it was handed in with its views
   int view = 0;        ///< the view that agrees best
@@ -119,7 +119,7 @@ struct Recognition {
   double v_px = 0.0;
   double width_px = 0.0;  ///< of the upright box that encloses it
   double height_px = 0.0;
-  double scale = 0.0;              ///< robust: pixels of the picture a pixel of the view
+  double scale = 0.0;              ///< robust: pixels of the image a pixel of the view
   double angle_rad = 0.0;          ///< robust: how far it is turned, from +u towards +v
   double bearing_rad = 0.0;        ///< robot frame; filled in where the camera is known
   double distance_m = kNothing_m;  ///< from the axle; filled in where disparity is known
@@ -128,7 +128,7 @@ struct Recognition {
 
 /// What came of looking where a landmark was expected.
 enum class LookResult {
-  out_of_view,     ///< not wholly in the picture, or too far or too dark to be recognised there
+  out_of_view,     ///< not wholly in the image, or too far or too dark to be recognised there
   hidden,          ///< something nearer stands before it
   not_looked_for,  ///< the budget was spent on others
   missed,          ///< it should have been recognised and was not
@@ -140,10 +140,10 @@ struct ExpectedLook {
   LookResult result = LookResult::out_of_view;
 };
 
-/// All that memory wants to know about one picture pair.
+/// All that memory wants to know about one image pair.
 struct Percept {
-  TimePoint stamp;           ///< of the picture
-  bool valid = false;        ///< false: no picture has come yet; everything is empty
+  TimePoint stamp;           ///< of the image
+  bool valid = false;        ///< false: no image has come yet; everything is empty
   double light_level = 0.0;  ///< mean grey 0..1 after exposure control
   double noise_level = 0.0;  ///< estimated noise of a pixel, grey levels of 255
   DisparityMap disparity;
@@ -157,4 +157,4 @@ struct Percept {
   std::vector<ExpectedLook> expected;     ///< of each landmark that memory expected somewhere
 };
 
-}  // namespace striate
+}  // namespace striate::perception

@@ -1,26 +1,26 @@
-#include "perception/perception.hpp"
+#include "striate/perception/perception.hpp"
 
 #include <opencv2/imgproc.hpp>
 #include <stdexcept>
 #include <utility>
 
-#include "perception/noise_estimate.hpp"
-#include "perception/obstacles/wall_completion.hpp"
-#include "perception/stereo/shrink_by_four.hpp"
+#include "striate/perception/noise_estimate.hpp"
+#include "striate/perception/obstacles/wall_completion.hpp"
+#include "striate/perception/stereo/shrink_by_four.hpp"
 
-namespace striate {
+namespace striate::perception {
 namespace {
 
-cv::Mat1b grey_of(const cv::Mat3b& picture) {
+cv::Mat1b grey_of(const cv::Mat3b& image) {
   cv::Mat1b grey;
-  cv::cvtColor(picture, grey, cv::COLOR_BGR2GRAY);
+  cv::cvtColor(image, grey, cv::COLOR_BGR2GRAY);
   return grey;
 }
 
-cv::Mat3b colour_at(const cv::Mat3b& picture, const cv::Size& size) {
-  if (is_four_times(picture, size.width)) return means_of_fours(picture);
+cv::Mat3b colour_at(const cv::Mat3b& image, const cv::Size& size) {
+  if (is_four_times(image, size.width)) return means_of_fours(image);
   cv::Mat3b colour;
-  cv::resize(picture, colour, size, 0, 0, cv::INTER_AREA);
+  cv::resize(image, colour, size, 0, 0, cv::INTER_AREA);
   return colour;
 }
 
@@ -61,12 +61,12 @@ void Perception::match(const StereoFrame& frame, const Greys& greys, DisparityMa
 void Perception::measure_depth(const StereoFrame& frame, const Greys& greys, Percept& percept) {
   if (frame.right.empty()) return;
   if (frame.right.size() != frame.left.size()) {
-    throw std::invalid_argument("left and right picture differ in size");
+    throw std::invalid_argument("left and right image differ in size");
   }
   match(frame, greys, percept.disparity);
   if (frame.focal_px <= 0.0 || frame.baseline_m <= 0.0) return;
-  const auto find = settings_.stereo.setting == StereoSetting::paper ? find_obstacles_as_in_paper
-                                                                     : find_obstacles;
+  const auto find =
+      settings_.stereo.mode == StereoMode::paper ? find_obstacles_as_in_paper : find_obstacles;
   ObstacleView view = find(percept.disparity, frame.head, robot_, settings_.obstacles);
   percept.columns = std::move(view.columns);
   percept.obstacles = std::move(view.obstacles);
@@ -86,7 +86,7 @@ Percept Perception::see(const StereoFrame& frame, const std::optional<Pose2>& ba
   describe_camera(frame, left.cols, percept.disparity);
   measure_depth(frame, {grey, left}, percept);
   percept.corridor = view_corridor(left, percept.disparity, frame.head, robot_, settings_.corridor);
-  if (settings_.stereo.setting == StereoSetting::robust) {
+  if (settings_.stereo.mode == StereoMode::robust) {
     complete_with_walls(percept.columns, percept.corridor, percept.disparity,
                         ViewGeometry(percept.disparity, frame.head, robot_));
   }
@@ -110,4 +110,4 @@ Percept Perception::see(const StereoFrame& frame, const std::optional<Pose2>& ba
   return percept;
 }
 
-}  // namespace striate
+}  // namespace striate::perception

@@ -3,19 +3,19 @@
 #include <cstdint>
 #include <optional>
 
-#include "config/settings.hpp"
-#include "perception/corridor/corridor_view.hpp"
-#include "perception/keypoints/keypoints.hpp"
-#include "perception/motion/motion.hpp"
-#include "perception/obstacles/obstacles.hpp"
-#include "perception/percept.hpp"
-#include "perception/recognition/landmark_finder.hpp"
-#include "perception/saliency/saliency.hpp"
-#include "perception/stereo/disparity_source.hpp"
-#include "perception/stereo/stereo_matcher.hpp"
-#include "platform/interface/robot.hpp"
+#include "striate/config/settings.hpp"
+#include "striate/perception/corridor/corridor_view.hpp"
+#include "striate/perception/keypoints/keypoints.hpp"
+#include "striate/perception/motion/motion.hpp"
+#include "striate/perception/obstacles/obstacles.hpp"
+#include "striate/perception/percept.hpp"
+#include "striate/perception/recognition/landmark_finder.hpp"
+#include "striate/perception/saliency/saliency.hpp"
+#include "striate/perception/stereo/disparity_source.hpp"
+#include "striate/perception/stereo/stereo_matcher.hpp"
+#include "striate/platform/interface/robot.hpp"
 
-namespace striate {
+namespace striate::perception {
 
 struct PerceptionSettings {
   /// Its `setting` also chooses how obstacles are found; its `width` is the working size of
@@ -25,13 +25,13 @@ struct PerceptionSettings {
   MotionSettings motion;
   CorridorSettings corridor;
   /// The paper's in the cycle: a third of the robust one's time, and nothing drives by it.
-  SaliencySettings saliency{.setting = SaliencySetting::paper};
+  SaliencySettings saliency{.mode = SaliencyMode::paper};
   KeypointSettings keypoints;
   LandmarkFinderSettings recognition;
-  /// Pictures; in between the percept has no keypoints; 0: never. Nothing in the cycle reads them:
+  /// Images; in between the percept has no keypoints; 0: never. Nothing in the cycle reads them:
   /// recognition finds its own, with Striate's descriptor.
   int keypoints_every = 0;
-  int saliency_every = 1;  ///< pictures; in between the percept has no saliency
+  int saliency_every = 1;  ///< images; in between the percept has no saliency
 };
 
 template <class V>
@@ -43,9 +43,9 @@ void visit(V& v, PerceptionSettings& s) {
   v.section("saliency", s.saliency);
   v.section("keypoints", s.keypoints);
   v.section("recognition", s.recognition);
-  v.integer("saliency_every", s.saliency_every, {1, 100}, "saliency in every n-th picture");
+  v.integer("saliency_every", s.saliency_every, {1, 100}, "saliency in every n-th image");
   v.integer("keypoints_every", s.keypoints_every, {0, 100},
-            "keypoints in every n-th picture; 0: never");
+            "keypoints in every n-th image; 0: never");
 }
 
 /// What perception may be built with beside its settings; all of it may be left out.
@@ -59,9 +59,9 @@ struct PerceptionExtras {
   DisparitySource* disparities = nullptr;
 };
 
-/// All of seeing: one picture pair in, one percept out. Holds no memory of earlier pictures but
+/// All of seeing: one image pair in, one percept out. Holds no memory of earlier images but
 /// their count (and copies of the last ones where `saliency.motion_weight` is not zero or `motion`
-/// is on), so the same pictures in the same order always give the same percepts.
+/// is on), so the same images in the same order always give the same percepts.
 class Perception {
  public:
   /// Throws UserError for settings out of range, std::invalid_argument for a view that is unsound
@@ -69,18 +69,18 @@ class Perception {
   Perception(const PerceptionSettings& settings, const RobotDescription& robot,
              const PerceptionExtras& extras = {});
 
-  /// No picture: a percept that is not valid. One eye (`right` empty): what one picture can give,
+  /// No image: a percept that is not valid. One eye (`right` empty): what one image can give,
   /// the corridor's heading, saliency and keypoints. Unknown camera (`focal_px` <= 0):
   /// no obstacles and no corridor. Throws std::invalid_argument where left and right differ in
   /// size.
-  /// @param base where the axle was when the picture was taken, by odometry; without it nothing is
+  /// @param base where the axle was when the image was taken, by odometry; without it nothing is
   /// found to move.
   /// @param expected which landmarks are looked for, and where first; without it none are.
   [[nodiscard]] Percept see(const StereoFrame& frame, const std::optional<Pose2>& base = {},
                             const LandmarkExpectations& expected = {});
 
  private:
-  /// The left picture in grey, as it came and at the working size.
+  /// The left image in grey, as it came and at the working size.
   struct Greys {
     const cv::Mat1b& whole;
     const cv::Mat1b& small;
@@ -99,4 +99,4 @@ class Perception {
   std::int64_t pictures_ = 0;
 };
 
-}  // namespace striate
+}  // namespace striate::perception

@@ -4,19 +4,19 @@
 #include <string>
 #include <vector>
 
-#include "base/time.hpp"
-#include "config/quantity.hpp"
-#include "memory/short_term_memory.hpp"
+#include "striate/base/time.hpp"
+#include "striate/config/quantity.hpp"
+#include "striate/memory/short_term/short_term_memory.hpp"
 
-namespace striate {
+namespace striate::tasks {
 
 /// A goal detector: looks at memory, never at the body.
 class Condition {
  public:
   virtual ~Condition() = default;
   /// Called when the action that it belongs to starts.
-  virtual void start(const ShortTermMemory& /*memory*/) {}
-  [[nodiscard]] virtual bool holds(const ShortTermMemory& memory) const = 0;
+  virtual void start(const memory::ShortTermMemory& /*memory*/) {}
+  [[nodiscard]] virtual bool holds(const memory::ShortTermMemory& memory) const = 0;
 };
 
 /// One kind of condition that scripts can name in `until`, `only_if`, `unless` and `always`, e.g.
@@ -35,12 +35,4 @@ struct ConditionEntry {
   std::string key{};
 };
 
-[[nodiscard]] const std::vector<ConditionEntry>& condition_registry();
-
-/// Reads `{name: value}`; nullptr with mistakes added where that fails.
-std::unique_ptr<Condition> read_condition(const config::Node& node, config::Mistakes& mistakes);
-
-/// "name: value" as written, for people; empty where the node is no condition.
-[[nodiscard]] std::string condition_text(const config::Node& node);
-
-}  // namespace striate
+}  // namespace striate::tasks

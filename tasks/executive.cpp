@@ -1,19 +1,19 @@
-#include "tasks/executive.hpp"
+#include "striate/tasks/executive.hpp"
 
 #include <stdexcept>
 #include <utility>
 
-namespace striate {
+namespace striate::tasks {
 namespace {
 
-MissionState state_of(Outcome outcome) {
+MissionState state_of(NodeStatus outcome) {
   switch (outcome) {
-    case Outcome::running:
+    case NodeStatus::running:
       return MissionState::running;
-    case Outcome::failed:
+    case NodeStatus::failed:
       return MissionState::failed;
-    case Outcome::succeeded:
-    case Outcome::skipped:
+    case NodeStatus::succeeded:
+    case NodeStatus::skipped:
       break;
   }
   return MissionState::succeeded;
@@ -25,22 +25,25 @@ Executive::Executive(Task task) : task_(std::move(task)) {
   if (!task_.root) throw std::logic_error("an executive needs a task with a tree");
 }
 
-TaskDecision Executive::tick(const ShortTermMemory& memory, TimePoint now) {
+TaskDecision Executive::tick(const memory::ShortTermMemory& memory, TimePoint now) {
   TaskCycle cycle(memory, now, reason_, ++cycles_);
   if (!ended_) advance(cycle);
   doing_ = cycle.doing();
   const bool guarded = cycle.paused() && doing_.empty();
-  return {{guarded ? MotorOwner::guard : MotorOwner::behaviour, cycle.wish()}, doing_, ended_};
+  return {
+      {guarded ? behaviours::MotorOwner::guard : behaviours::MotorOwner::behaviour, cycle.wish()},
+      doing_,
+      ended_};
 }
 
 void Executive::advance(TaskCycle& cycle) {
   task_.root->begin(cycle);
   if (interrupted_) {
     ended_ = task_.root->halt(cycle);
-    if (task_.root->steps_outcome() != Outcome::running) state_ = interrupted_as_;
+    if (task_.root->steps_outcome() != NodeStatus::running) state_ = interrupted_as_;
     return;
   }
-  ended_ = task_.root->tick(cycle) != Outcome::running;
+  ended_ = task_.root->tick(cycle) != NodeStatus::running;
   state_ = state_of(task_.root->steps_outcome());
 }
 
@@ -57,4 +60,4 @@ std::string Executive::reason() const {
   return state_ == MissionState::succeeded ? std::string() : std::string(reason_.view());
 }
 
-}  // namespace striate
+}  // namespace striate::tasks

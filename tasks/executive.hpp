@@ -3,19 +3,19 @@
 #include <string>
 #include <string_view>
 
-#include "behaviours/arbiter.hpp"
-#include "tasks/task.hpp"
+#include "striate/behaviours/control/arbiter.hpp"
+#include "striate/tasks/task.hpp"
 
-namespace striate {
+namespace striate::tasks {
 
 /// How a mission stands.
 enum class MissionState { running, succeeded, failed, interrupted };
 
 /// What a task wants in one cycle.
 struct TaskDecision {
-  Claim claim;             ///< a guard's while it holds the robot still, else a behaviour's
-  std::string_view doing;  ///< the action that runs; "" when none does. Lives as the task does.
-  bool ended = false;      ///< the mission is over; the wish is to stand
+  behaviours::Claim claim;  ///< a guard's while it holds the robot still, else a behaviour's
+  std::string_view doing;   ///< the action that runs; "" when none does. Lives as the task does.
+  bool ended = false;       ///< the mission is over; the wish is to stand
 };
 
 /// Runs a task: its tree, and after every ending, also after an interruption, its `finally`.
@@ -28,7 +28,7 @@ class Executive {
   Executive& operator=(const Executive&) = delete;
 
   /// One cycle.
-  TaskDecision tick(const ShortTermMemory& memory, TimePoint now);
+  TaskDecision tick(const memory::ShortTermMemory& memory, TimePoint now);
 
   /// Ends the mission from outside (Ctrl-C, end of the course): halts the actions, then `finally`.
   void interrupt(MissionState as, std::string reason);
@@ -57,4 +57,4 @@ class Executive {
   std::string_view doing_;
 };
 
-}  // namespace striate
+}  // namespace striate::tasks

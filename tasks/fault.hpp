@@ -1,10 +1,10 @@
 #pragma once
 
-#include "config/fault.hpp"
+#include "striate/config/fault.hpp"
 
 /// What can be wrong with a task script beyond what can be wrong with every file
 /// (config/fault.hpp).
-namespace striate::fault {
+namespace striate::tasks::fault {
 
 using namespace config::fault;
 using config::Fault;
@@ -26,4 +26,4 @@ inline constexpr Fault same_motors{34};  ///< two branches of `together` want th
 inline constexpr Fault unknown_landmark{35};
 inline constexpr Fault key_out_of_place{36};  ///< `with` without `use`, and the like
 
-}  // namespace striate::fault
+}  // namespace striate::tasks::fault

@@ -1,13 +1,13 @@
-#include "tasks/landmark_conditions.hpp"
+#include "striate/tasks/landmark_conditions.hpp"
 
 #include <fmt/format.h>
 
 #include <cmath>
 
-#include "config/map_reader.hpp"
-#include "tasks/fault.hpp"
+#include "striate/config/map_reader.hpp"
+#include "striate/tasks/fault.hpp"
 
-namespace striate {
+namespace striate::tasks {
 namespace {
 
 using config::Unit;
@@ -19,7 +19,7 @@ constexpr Duration kInSight = std::chrono::milliseconds(1000);
 class LandmarkSeen final : public Condition {
  public:
   LandmarkSeen(std::string name, double /*unused*/) : name_(std::move(name)) {}
-  [[nodiscard]] bool holds(const ShortTermMemory& memory) const override {
+  [[nodiscard]] bool holds(const memory::ShortTermMemory& memory) const override {
     return memory.landmarks().in_sight(name_, memory.now(), kInSight);
   }
 
@@ -31,8 +31,8 @@ class LandmarkSeen final : public Condition {
 class LandmarkKnown final : public Condition {
  public:
   LandmarkKnown(std::string name, double /*unused*/) : name_(std::move(name)) {}
-  [[nodiscard]] bool holds(const ShortTermMemory& memory) const override {
-    const LandmarkInMind* landmark = memory.landmarks().find(name_);
+  [[nodiscard]] bool holds(const memory::ShortTermMemory& memory) const override {
+    const memory::LandmarkInMind* landmark = memory.landmarks().find(name_);
     return landmark != nullptr && landmark->place_known;
   }
 
@@ -43,8 +43,8 @@ class LandmarkKnown final : public Condition {
 class LandmarkWithin final : public Condition {
  public:
   LandmarkWithin(std::string name, double limit_m) : name_(std::move(name)), limit_m_(limit_m) {}
-  [[nodiscard]] bool holds(const ShortTermMemory& memory) const override {
-    const LandmarkInMind* landmark = memory.landmarks().find(name_);
+  [[nodiscard]] bool holds(const memory::ShortTermMemory& memory) const override {
+    const memory::LandmarkInMind* landmark = memory.landmarks().find(name_);
     if (landmark == nullptr || !landmark->place_known) return false;
     const Pose2& here = memory.pose();
     return std::hypot(landmark->place.x_m - here.x_m, landmark->place.y_m - here.y_m) <= limit_m_;
@@ -87,31 +87,31 @@ const std::vector<ConditionEntry>& landmark_conditions() {
 
 std::unique_ptr<Condition> read_landmark_condition(const ConditionEntry& kind,
                                                    const config::Node::Entry& entry,
-                                                   config::Mistakes& mistakes) {
+                                                   config::Diagnostics& diagnostics) {
   const config::Node& value = entry.value;
   if (kind.key.empty()) {
     if (value.kind == config::Node::Kind::scalar) return kind.make_of(value.text, 0.0);
-    mistakes.add(
+    diagnostics.add(
         fault::bad_condition, value.place,
         fmt::format("'{}' must be a landmark's name, but is {}", kind.name, value.describe()),
         fmt::format("write {{{}: {}}}", kind.name, kind.example));
     return nullptr;
   }
   if (value.kind != config::Node::Kind::map) {
-    mistakes.add(fault::bad_condition, value.place,
-                 fmt::format("'{}' must say which landmark and which {}, but is {}", kind.name,
-                             kind.key, value.describe()),
-                 fmt::format("write {{{}: {}}}", kind.name, kind.example));
+    diagnostics.add(fault::bad_condition, value.place,
+                    fmt::format("'{}' must say which landmark and which {}, but is {}", kind.name,
+                                kind.key, value.describe()),
+                    fmt::format("write {{{}: {}}}", kind.name, kind.example));
     return nullptr;
   }
   std::string landmark;
   double limit = 0.0;
-  const std::size_t before = mistakes.count();
-  config::MapReader map(value, kind.name, mistakes);
+  const std::size_t before = diagnostics.count();
+  config::MapReader map(value, kind.name, diagnostics);
   if (map.require("landmark")) map.text("landmark", landmark);
   if (map.require(kind.key)) map.number(kind.key, limit, kind.unit, kind.range);
   map.finish();
-  return mistakes.count() == before ? kind.make_of(landmark, limit) : nullptr;
+  return diagnostics.count() == before ? kind.make_of(landmark, limit) : nullptr;
 }
 
-}  // namespace striate
+}  // namespace striate::tasks

@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include "tasks/condition.hpp"
+#include "striate/tasks/condition.hpp"
 
-namespace striate {
+namespace striate::tasks {
 
 /// What can be asked of memory about landmarks; part of `condition_registry()`.
 [[nodiscard]] const std::vector<ConditionEntry>& landmark_conditions();
@@ -12,6 +12,6 @@ namespace striate {
 /// Reads the value of such a condition: the landmark's name, or a map of it and a quantity.
 std::unique_ptr<Condition> read_landmark_condition(const ConditionEntry& kind,
                                                    const config::Node::Entry& entry,
-                                                   config::Mistakes& mistakes);
+                                                   config::Diagnostics& diagnostics);
 
-}  // namespace striate
+}  // namespace striate::tasks

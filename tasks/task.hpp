@@ -4,11 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "config/mistakes.hpp"
-#include "tasks/nodes/scope_node.hpp"
-#include "tasks/show/outline.hpp"
+#include "striate/config/diagnostics.hpp"
+#include "striate/tasks/nodes/scope_node.hpp"
+#include "striate/tasks/show/outline.hpp"
 
-namespace striate {
+namespace striate::tasks {
 
 /// What a mission is after: `goal` of the script.
 enum class TaskGoal {
@@ -31,4 +31,4 @@ struct Task {
   std::string notices;
 };
 
-}  // namespace striate
+}  // namespace striate::tasks

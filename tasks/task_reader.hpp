@@ -4,11 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "config/mistakes.hpp"
-#include "platform/interface/robot.hpp"
-#include "tasks/task.hpp"
+#include "striate/config/diagnostics.hpp"
+#include "striate/platform/interface/robot.hpp"
+#include "striate/tasks/task.hpp"
 
-namespace striate {
+namespace striate::tasks {
 
 /// Values that replace those of variables which a script declares: {"way", "58 m"}.
 using GivenVariables = std::map<std::string, std::string>;
@@ -29,7 +29,7 @@ Task check_task(const std::string& file, const RobotDescription& robot,
 
 /// The same as load_task() from text; `mistakes` collects (give it the letter 'T'), the task is
 /// usable only if there are none. Files that it uses are looked for beside `mistakes.file()`.
-Task read_task(const std::string& text, config::Mistakes& mistakes, const RobotDescription& robot,
-               const GivenVariables& given = {});
+Task read_task(const std::string& text, config::Diagnostics& diagnostics,
+               const RobotDescription& robot, const GivenVariables& given = {});
 
-}  // namespace striate
+}  // namespace striate::tasks

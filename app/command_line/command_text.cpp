@@ -1,13 +1,13 @@
-#include "app/command_line/command_text.hpp"
+#include "striate/app/command_line/command_text.hpp"
 
 #include <fmt/format.h>
 
 #include <regex>
 #include <sstream>
 
-#include "app/command_line/command_walk.hpp"
+#include "striate/app/command_line/command_walk.hpp"
 
-namespace striate {
+namespace striate::app {
 namespace {
 
 /// CLI11 says "FLOAT:FLOAT in [-60 - 60]", "TEXT:{a,b}" or "UINT:0..9" of an option with a check.
@@ -91,4 +91,4 @@ CommandText describe(const CLI::App& app) {
   return text;
 }
 
-}  // namespace striate
+}  // namespace striate::app

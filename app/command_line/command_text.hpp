@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace striate {
+namespace striate::app {
 
 /// An option or argument as manual page and completion need it.
 struct OptionText {
@@ -33,4 +33,4 @@ struct CommandText {
 
 [[nodiscard]] CommandText describe(const CLI::App& app);
 
-}  // namespace striate
+}  // namespace striate::app

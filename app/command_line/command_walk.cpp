@@ -1,9 +1,9 @@
-#include "app/command_line/command_walk.hpp"
+#include "striate/app/command_line/command_walk.hpp"
 
 #include <algorithm>
 #include <map>
 
-namespace striate {
+namespace striate::app {
 namespace {
 
 /// The option of that name here, or above where the command passes on what it does not know.
@@ -138,4 +138,4 @@ std::vector<std::string> option_names(const CLI::App& app) {
   return names;
 }
 
-}  // namespace striate
+}  // namespace striate::app

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace striate {
+namespace striate::app {
 
 /// A word of the command line that no command, option or argument takes.
 struct StrangeWord {
@@ -38,4 +38,4 @@ struct CommandWalk {
 /// command above it, these too.
 [[nodiscard]] std::vector<std::string> option_names(const CLI::App& app);
 
-}  // namespace striate
+}  // namespace striate::app

@@ -1,10 +1,10 @@
-#include "app/command_line/completion.hpp"
+#include "striate/app/command_line/completion.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-namespace striate {
+namespace striate::app {
 namespace {
 
 /// What may stand for a value: its words, or a mark that the scripts below know.
@@ -192,4 +192,4 @@ std::string zsh_completion(const CommandText& striate) {
   return "#compdef striate\n# made by: striate help --completion zsh\n\n" + tables(striate) + kZsh;
 }
 
-}  // namespace striate
+}  // namespace striate::app

@@ -1,10 +1,10 @@
-#include "app/command_line/manual_page.hpp"
+#include "striate/app/command_line/manual_page.hpp"
 
 #include <fmt/format.h>
 
 #include <sstream>
 
-namespace striate {
+namespace striate::app {
 namespace {
 
 /// Text for roff: a hyphen that can be copied as one, and no line that is taken for a request.
@@ -156,4 +156,4 @@ std::string manual_page(const CommandText& striate, const std::string& software)
   return page;
 }
 
-}  // namespace striate
+}  // namespace striate::app

@@ -1,13 +1,13 @@
-#include "app/command_line/mistakes.hpp"
+#include "striate/app/command_line/mistakes.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "app/command_line/command_walk.hpp"
-#include "config/quantity.hpp"
+#include "striate/app/command_line/command_walk.hpp"
+#include "striate/config/quantity.hpp"
 
-namespace striate {
+namespace striate::app {
 namespace {
 
 std::vector<std::string> command_names(const CLI::App& app) {
@@ -63,10 +63,10 @@ std::string unknown_command(const CLI::App& app, const std::vector<std::string>&
   return {};
 }
 
-std::string command_line_mistake(const CLI::App& app, const std::vector<std::string>& words,
-                                 const CLI::ParseError& error) {
+std::string command_line_diagnostic(const CLI::App& app, const std::vector<std::string>& words,
+                                    const CLI::ParseError& error) {
   const CommandWalk walk = walk_command_line(app, words);
   return walk.strange.empty() ? text_of(*walk.end, error) : text_of(walk.strange.front());
 }
 
-}  // namespace striate
+}  // namespace striate::app

@@ -4,15 +4,15 @@
 #include <string>
 #include <vector>
 
-namespace striate {
+namespace striate::app {
 
 /// What is wrong with a command line that CLI11 did not accept, and the nearest that would be
 /// right: "striate: unknown command 'trail'\n  hint: did you mean 'trial'?". Ends without a
 /// newline.
 /// @param words without the program's name
-[[nodiscard]] std::string command_line_mistake(const CLI::App& app,
-                                               const std::vector<std::string>& words,
-                                               const CLI::ParseError& error);
+[[nodiscard]] std::string command_line_diagnostic(const CLI::App& app,
+                                                  const std::vector<std::string>& words,
+                                                  const CLI::ParseError& error);
 
 /// The same for the first word that is no command, also where help was asked for; empty: there is
 /// none.
@@ -27,4 +27,4 @@ namespace striate {
                                        const std::vector<std::string>& names,
                                        const std::string& listed_by);
 
-}  // namespace striate
+}  // namespace striate::app

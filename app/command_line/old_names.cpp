@@ -1,10 +1,10 @@
-#include "app/command_line/old_names.hpp"
+#include "striate/app/command_line/old_names.hpp"
 
 #include <fmt/format.h>
 
-#include "app/command_line/command_walk.hpp"
+#include "striate/app/command_line/command_walk.hpp"
 
-namespace striate {
+namespace striate::app {
 namespace {
 
 struct OldName {
@@ -28,6 +28,7 @@ constexpr OldName kOldNames[] = {
     {"striate drive", "--turn", "--turn-deg-s"},
     {"striate drive", "--for", "--for-s"},
     {"striate drive", "--way", "--way-m"},
+    {"striate perceive", "--setting", "--mode"},
     {"striate perceive", "--width", "--width-px"},
     {"striate calibrate", "--square", "--square-mm"},
     {"striate learn-descriptor", "--pictures", "--picture-count"},
@@ -64,4 +65,4 @@ std::vector<std::string> use_new_names(const CLI::App& app, std::vector<std::str
   return notes;
 }
 
-}  // namespace striate
+}  // namespace striate::app

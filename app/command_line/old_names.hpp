@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace striate {
+namespace striate::app {
 
 /// Options were renamed so that a bare number carries its unit in the option's name. The old names
 /// still work in this version: they are replaced here, before CLI11 reads them, so that help,
@@ -14,4 +14,4 @@ namespace striate {
 [[nodiscard]] std::vector<std::string> use_new_names(const CLI::App& app,
                                                      std::vector<std::string>& words);
 
-}  // namespace striate
+}  // namespace striate::app

@@ -1,11 +1,11 @@
-#include "app/command_line/whole_number.hpp"
+#include "striate/app/command_line/whole_number.hpp"
 
 #include <fmt/format.h>
 
 #include <charconv>
 #include <limits>
 
-namespace striate {
+namespace striate::app {
 namespace {
 
 constexpr std::uint64_t kHigh = std::numeric_limits<std::uint64_t>::max();
@@ -23,4 +23,4 @@ CLI::Validator whole_number_from(std::uint64_t low) {
   return CLI::Validator(judge, fmt::format("{}..{}", low, kHigh));
 }
 
-}  // namespace striate
+}  // namespace striate::app

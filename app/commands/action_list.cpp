@@ -1,19 +1,19 @@
-#include "app/commands/action_list.hpp"
+#include "striate/app/commands/action_list.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "app/command_line/mistakes.hpp"
-#include "base/user_error.hpp"
-#include "tasks/condition.hpp"
+#include "striate/app/command_line/mistakes.hpp"
+#include "striate/base/user_error.hpp"
+#include "striate/tasks/condition_registry.hpp"
 
-namespace striate {
+namespace striate::app {
 namespace {
 
 using nlohmann::ordered_json;
 
-bool is_required(const BehaviourEntry& behaviour, const std::string& key) {
+bool is_required(const behaviours::BehaviourEntry& behaviour, const std::string& key) {
   return std::find(behaviour.required.begin(), behaviour.required.end(), key) !=
          behaviour.required.end();
 }
@@ -33,13 +33,13 @@ std::string readable(const std::string& text) {
   return out;
 }
 
-std::string allowed_of(const ConditionEntry& condition) {
+std::string allowed_of(const tasks::ConditionEntry& condition) {
   if (condition.make_of != nullptr && condition.key.empty()) return "a landmark";
   return fmt::format("{} .. {}", config::print_quantity(condition.range.low, condition.unit),
                      config::print_quantity(condition.range.high, condition.unit));
 }
 
-ordered_json json_of(const BehaviourEntry& behaviour) {
+ordered_json json_of(const behaviours::BehaviourEntry& behaviour) {
   ordered_json json = {{"name", behaviour.name}, {"help", behaviour.help}};
   json["parameters"] = ordered_json::array();
   for (const config::SettingLine& line : behaviour.parameters()) {
@@ -55,14 +55,14 @@ ordered_json json_of(const BehaviourEntry& behaviour) {
   return json;
 }
 
-ordered_json json_of(const ConditionEntry& condition) {
+ordered_json json_of(const tasks::ConditionEntry& condition) {
   return {{"name", condition.name},
           {"help", condition.help},
           {"allowed", allowed_of(condition)},
           {"example", fmt::format("until: {{{}: {}}}", condition.name, condition.example)}};
 }
 
-std::string text_of(const BehaviourEntry& behaviour) {
+std::string text_of(const behaviours::BehaviourEntry& behaviour) {
   std::string text =
       fmt::format("  {}: {}\n      - {}\n", behaviour.name, behaviour.help, example_of(behaviour));
   for (const config::SettingLine& line : behaviour.parameters()) {
@@ -74,7 +74,7 @@ std::string text_of(const BehaviourEntry& behaviour) {
   return text;
 }
 
-std::string text_of(const ConditionEntry& condition) {
+std::string text_of(const tasks::ConditionEntry& condition) {
   const std::string example = fmt::format("{{{}: {}}}", condition.name, condition.example);
   return fmt::format("  {:34} {} ({})\n", example, condition.help, allowed_of(condition));
 }
@@ -82,15 +82,17 @@ std::string text_of(const ConditionEntry& condition) {
 /// @throws UserError with the nearest name; "" is all of them
 void check_known(const std::string& name) {
   std::vector<std::string> names;
-  for (const BehaviourEntry& behaviour : behaviour_registry()) names.push_back(behaviour.name);
-  for (const ConditionEntry& condition : condition_registry()) names.push_back(condition.name);
+  for (const behaviours::BehaviourEntry& behaviour : behaviours::behaviour_registry())
+    names.push_back(behaviour.name);
+  for (const tasks::ConditionEntry& condition : tasks::condition_registry())
+    names.push_back(condition.name);
   if (name.empty() || std::find(names.begin(), names.end(), name) != names.end()) return;
   throw UserError(unknown_text("action or condition", name, names, "striate task actions"));
 }
 
 }  // namespace
 
-std::string example_of(const BehaviourEntry& behaviour) {
+std::string example_of(const behaviours::BehaviourEntry& behaviour) {
   constexpr int kShown = 3;  // parameters: what fits beside a name in a line of 80
   std::string arguments;
   int shown = 0;
@@ -110,11 +112,11 @@ ordered_json actions_as_json(const std::string& only) {
   check_known(only);
   ordered_json json;
   json["actions"] = ordered_json::array();
-  for (const BehaviourEntry& behaviour : behaviour_registry()) {
+  for (const behaviours::BehaviourEntry& behaviour : behaviours::behaviour_registry()) {
     if (only.empty() || only == behaviour.name) json["actions"].push_back(json_of(behaviour));
   }
   json["conditions"] = ordered_json::array();
-  for (const ConditionEntry& condition : condition_registry()) {
+  for (const tasks::ConditionEntry& condition : tasks::condition_registry()) {
     if (only.empty() || only == condition.name) json["conditions"].push_back(json_of(condition));
   }
   return json;
@@ -124,16 +126,16 @@ std::string actions_as_text(const std::string& only) {
   check_known(only);
   std::string text =
       only.empty() ? "Actions (a parameter that is left out has the value shown):\n" : "";
-  for (const BehaviourEntry& behaviour : behaviour_registry()) {
+  for (const behaviours::BehaviourEntry& behaviour : behaviours::behaviour_registry()) {
     if (only.empty()) text += "\n" + text_of(behaviour);
     if (only == behaviour.name) return text_of(behaviour);
   }
   text += "\nConditions, for until, only_if, unless, pause_if and fail_if:\n\n";
-  for (const ConditionEntry& condition : condition_registry()) {
+  for (const tasks::ConditionEntry& condition : tasks::condition_registry()) {
     text += text_of(condition);
     if (only == condition.name) return text_of(condition);
   }
   return text;
 }
 
-}  // namespace striate
+}  // namespace striate::app

@@ -3,9 +3,9 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "behaviours/registry.hpp"
+#include "striate/behaviours/registry.hpp"
 
-namespace striate {
+namespace striate::app {
 
 /// What a task script can be made of, from the registries of behaviours and conditions themselves.
 /// @param only the name of one action or condition; "": all
@@ -15,6 +15,6 @@ namespace striate {
 [[nodiscard]] std::string actions_as_text(const std::string& only = {});
 
 /// One step that uses the behaviour, as it stands in a script: "back_up: {distance: 0.3 m}".
-[[nodiscard]] std::string example_of(const BehaviourEntry& behaviour);
+[[nodiscard]] std::string example_of(const behaviours::BehaviourEntry& behaviour);
 
-}  // namespace striate
+}  // namespace striate::app

@@ -5,12 +5,12 @@
 #include <memory>
 #include <opencv2/imgcodecs.hpp>
 
-#include "app/calibration/calibrate_stereo.hpp"
-#include "app/commands/commands.hpp"
-#include "base/files.hpp"
-#include "base/user_error.hpp"
+#include "striate/app/commands/commands.hpp"
+#include "striate/base/files.hpp"
+#include "striate/base/user_error.hpp"
+#include "striate/evaluation/calibration/calibrate_stereo.hpp"
 
-namespace striate {
+namespace striate::app {
 namespace {
 
 namespace fs = std::filesystem;
@@ -18,14 +18,14 @@ namespace fs = std::filesystem;
 struct CalibrateOptions {
   std::string folder;
   std::string out = "stereo_calibration.yaml";
-  Chessboard board;
+  evaluation::Chessboard board;
   double square_mm = 25.0;  // side of a square, as boards to print come
   bool swap = false;
   bool side_by_side = false;
 };
 
 struct Looks {
-  std::vector<BoardPair> pairs;
+  std::vector<evaluation::BoardPair> pairs;
   std::vector<std::string> without_board;
   cv::Size size_px;
 };
@@ -36,7 +36,7 @@ constexpr const char* kLayout =
     "--side-by-side "
     "FOLDER/*.png";
 
-std::vector<fs::path> pictures_in(const fs::path& folder) {
+std::vector<fs::path> images_in(const fs::path& folder) {
   std::vector<fs::path> files;
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(folder, error)) {
@@ -47,23 +47,24 @@ std::vector<fs::path> pictures_in(const fs::path& folder) {
   }
   if (error) throw UserError(folder.string() + ": " + error.message() + kLayout);
   std::sort(files.begin(), files.end());
-  if (files.empty()) throw UserError(folder.string() + ": no pictures" + kLayout);
+  if (files.empty()) throw UserError(folder.string() + ": no images" + kLayout);
   return files;
 }
 
 cv::Mat1b read_grey(const fs::path& file) {
-  cv::Mat1b picture = cv::imread(file, cv::IMREAD_GRAYSCALE);
-  if (picture.empty()) throw UserError(file.string() + ": is no picture" + kLayout);
-  return picture;
+  cv::Mat1b image = cv::imread(file, cv::IMREAD_GRAYSCALE);
+  if (image.empty()) throw UserError(file.string() + ": is no image" + kLayout);
+  return image;
 }
 
 void look(const std::string& name, const cv::Mat1b& left, const cv::Mat1b& right,
           const CalibrateOptions& options, Looks& looks) {
   if (looks.size_px.empty()) looks.size_px = left.size();
   if (left.size() != looks.size_px || right.size() != looks.size_px) {
-    throw UserError(name + ": is of another size than the pictures before it");
+    throw UserError(name + ": is of another size than the images before it");
   }
-  auto pair = find_board(options.swap ? right : left, options.swap ? left : right, options.board);
+  auto pair = evaluation::find_board(options.swap ? right : left, options.swap ? left : right,
+                                     options.board);
   if (!pair) {
     looks.without_board.push_back(name);
     return;
@@ -75,14 +76,14 @@ void look(const std::string& name, const cv::Mat1b& left, const cv::Mat1b& right
 Looks look_at_all(const CalibrateOptions& options) {
   Looks looks;
   const fs::path folder = options.folder;
-  for (const fs::path& file : pictures_in(options.side_by_side ? folder : folder / "left")) {
+  for (const fs::path& file : images_in(options.side_by_side ? folder : folder / "left")) {
     const std::string name = file.filename();
-    const cv::Mat1b picture = read_grey(file);
+    const cv::Mat1b image = read_grey(file);
     if (options.side_by_side) {
-      const int half = picture.cols / 2;
-      look(name, picture.colRange(0, half), picture.colRange(half, 2 * half), options, looks);
+      const int half = image.cols / 2;
+      look(name, image.colRange(0, half), image.colRange(half, 2 * half), options, looks);
     } else {
-      look(name, picture, read_grey(folder / "right" / name), options, looks);
+      look(name, image, read_grey(folder / "right" / name), options, looks);
     }
   }
   return looks;
@@ -94,10 +95,11 @@ int calibrate(const CalibrateOptions& given) {
   check_writable(options.out);
   const Looks looks = look_at_all(options);
   for (const std::string& name : looks.without_board) {
-    fmt::print("{}: the whole board is not seen in both pictures\n", name);
+    fmt::print("{}: the whole board is not seen in both images\n", name);
   }
-  const CalibrationReport report = calibrate_stereo(looks.pairs, options.board, looks.size_px);
-  for (const PairError& pair : report.pairs) {
+  const evaluation::CalibrationReport report =
+      evaluation::calibrate_stereo(looks.pairs, options.board, looks.size_px);
+  for (const evaluation::PairError& pair : report.pairs) {
     fmt::print("{}: reprojection {:.3f} px, rectification {:.3f} px\n", pair.name,
                pair.reprojection_px, pair.epipolar_px);
   }
@@ -121,7 +123,7 @@ void add_calibrate_command(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand(
       "calibrate",
       "Finds lenses and pose of a stereo camera from chessboard pairs, and tells how exact it is.\n"
-      "Example: striate calibrate pictures --columns 9 --rows 6 --square-mm 25 --out stereo.yaml");
+      "Example: striate calibrate images --columns 9 --rows 6 --square-mm 25 --out stereo.yaml");
   command
       ->add_option("folder", options->folder, "with left/*.png and right/*.png of the same names")
       ->type_name("FOLDER")
@@ -137,9 +139,9 @@ void add_calibrate_command(CLI::App& app, int& exit_code) {
       ->capture_default_str();
   command->add_option("--out", options->out, "file for the calibration")->capture_default_str();
   command->add_flag("--side-by-side", options->side_by_side,
-                    "each picture in the folder shows both eyes");
+                    "each image in the folder shows both eyes");
   command->add_flag("--swap", options->swap, "right and left are exchanged");
   command->callback([options, &exit_code] { exit_code = calibrate(*options); });
 }
 
-}  // namespace striate
+}  // namespace striate::app

@@ -7,15 +7,15 @@
 #include <string>
 #include <vector>
 
-#include "app/commands/action_list.hpp"
-#include "app/commands/commands.hpp"
-#include "app/memory/landmark_names.hpp"
-#include "app/robot_settings.hpp"
-#include "base/user_error.hpp"
-#include "platform/simulator/world_reader.hpp"
-#include "tasks/task_reader.hpp"
+#include "striate/agent/landmark_names.hpp"
+#include "striate/agent/robot_settings.hpp"
+#include "striate/app/commands/action_list.hpp"
+#include "striate/app/commands/commands.hpp"
+#include "striate/base/user_error.hpp"
+#include "striate/platform/simulator/world_reader.hpp"
+#include "striate/tasks/task_reader.hpp"
 
-namespace striate {
+namespace striate::app {
 namespace {
 
 enum class Kind { world, task, settings };
@@ -43,11 +43,11 @@ void check_file(const std::string& file, const Known& known) {
       break;
     case Kind::task:
       fmt::print(stderr, "{}",
-                 check_task(file, RobotDescription{}, known ? &*known : nullptr).notices);
+                 tasks::check_task(file, RobotDescription{}, known ? &*known : nullptr).notices);
       break;
     case Kind::settings: {
       std::string warnings;
-      (void)load_robot_settings(file, &warnings);
+      (void)agent::load_robot_settings(file, &warnings);
       fmt::print(stderr, "{}", warnings);
       break;
     }
@@ -96,10 +96,10 @@ void add_check_command(CLI::App& app, int& exit_code) {
       if (!std::filesystem::exists(options->memory)) {
         throw UserError(fmt::format("{}: there is no such memory", options->memory));
       }
-      known = landmark_names_in(options->memory);
+      known = agent::landmark_names_in(options->memory);
     }
     exit_code = check_files(options->files, known);
   });
 }
 
-}  // namespace striate
+}  // namespace striate::app

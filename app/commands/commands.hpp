@@ -4,7 +4,7 @@
 
 /// Each subcommand of `striate` adds itself to the command line; its callback sets the exit code:
 /// 0 success, 1 mission failed or world broke, 2 a mistake of the user's, 130 interrupted.
-namespace striate {
+namespace striate::app {
 
 void add_run_command(CLI::App& app, int& exit_code);
 void add_replay_command(CLI::App& app, int& exit_code);
@@ -26,4 +26,4 @@ void add_memory_command(CLI::App& app, int& exit_code);
 /// Explains all the others, so it comes last.
 void add_help_command(CLI::App& app, int& exit_code);
 
-}  // namespace striate
+}  // namespace striate::app

@@ -4,21 +4,21 @@
 #include <memory>
 #include <string>
 
-#include "app/commands/commands.hpp"
-#include "app/robot_settings.hpp"
+#include "striate/agent/robot_settings.hpp"
+#include "striate/app/commands/commands.hpp"
 
-namespace striate {
+namespace striate::app {
 namespace {
 
 void print_settings(const std::string& file, bool explain) {
-  const std::vector<SettingInForce> settings = settings_in_force(file);
+  const std::vector<agent::SettingInForce> settings = agent::settings_in_force(file);
   std::size_t key_width = 0;
   std::size_t value_width = 0;
-  for (const SettingInForce& setting : settings) {
+  for (const agent::SettingInForce& setting : settings) {
     key_width = std::max(key_width, setting.line.key.size());
     value_width = std::max(value_width, setting.line.value.size());
   }
-  for (const SettingInForce& setting : settings) {
+  for (const agent::SettingInForce& setting : settings) {
     fmt::print("{:<{}}  {:<{}}  {}\n", setting.line.key, key_width, setting.line.value, value_width,
                setting.origin);
     if (explain) fmt::print("    {} ({})\n", setting.line.help, setting.line.allowed);
@@ -43,4 +43,4 @@ void add_config_command(CLI::App& app, int& exit_code) {
   });
 }
 
-}  // namespace striate
+}  // namespace striate::app

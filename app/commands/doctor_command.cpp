@@ -2,14 +2,14 @@
 
 #include <memory>
 
-#include "app/commands/commands.hpp"
-#include "app/doctor/configuration.hpp"
-#include "app/doctor/devices.hpp"
-#include "app/doctor/machine.hpp"
-#include "app/robot_settings.hpp"
-#include "base/user_error.hpp"
+#include "striate/agent/robot_settings.hpp"
+#include "striate/app/commands/commands.hpp"
+#include "striate/app/doctor/configuration.hpp"
+#include "striate/app/doctor/devices.hpp"
+#include "striate/app/doctor/machine.hpp"
+#include "striate/base/user_error.hpp"
 
-namespace striate {
+namespace striate::app {
 namespace {
 
 struct DoctorOptions {
@@ -50,7 +50,7 @@ void print(const char* title, const Findings& findings) {
 
 Findings look_at_robot(const std::string& file) {
   try {
-    return look_at_places(load_robot_settings(file).pioneer);
+    return look_at_places(agent::load_robot_settings(file).pioneer);
   } catch (const UserError& error) {
     return {{Finding::Grade::wrong, file, error.what(), "correct the file"}};
   }
@@ -88,4 +88,4 @@ void add_doctor_command(CLI::App& app, int& exit_code) {
   command->callback([options, &exit_code] { exit_code = doctor(*options); });
 }
 
-}  // namespace striate
+}  // namespace striate::app

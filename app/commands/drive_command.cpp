@@ -4,13 +4,13 @@
 #include <cstdio>
 #include <memory>
 
-#include "app/commands/commands.hpp"
-#include "app/interrupt.hpp"
-#include "app/robot_settings.hpp"
-#include "base/user_error.hpp"
-#include "platform/pioneer/pioneer_robot.hpp"
+#include "striate/agent/robot_settings.hpp"
+#include "striate/app/commands/commands.hpp"
+#include "striate/app/interrupt.hpp"
+#include "striate/base/user_error.hpp"
+#include "striate/platform/pioneer/pioneer_robot.hpp"
 
-namespace striate {
+namespace striate::app {
 namespace {
 
 struct DriveOptions {
@@ -60,7 +60,7 @@ void print_counters(const pioneer::LinkCounters& counters) {
 
 int drive(const DriveOptions& options) {
   const Interrupt interrupt;
-  pioneer::BaseDriverSettings settings = load_robot_settings(options.robot).pioneer.base;
+  pioneer::BaseDriverSettings settings = agent::load_robot_settings(options.robot).pioneer.base;
   if (options.force) settings.session.force_unknown_model = true;
   pioneer::PioneerRobot robot(settings, options.url);
   fmt::print("connected to {}\n", robot.driver().report().robot);
@@ -131,4 +131,4 @@ void add_drive_command(CLI::App& app, int& exit_code) {
   });
 }
 
-}  // namespace striate
+}  // namespace striate::app

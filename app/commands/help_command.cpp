@@ -4,15 +4,15 @@
 #include <string>
 #include <vector>
 
-#include "app/command_line/command_walk.hpp"
-#include "app/command_line/completion.hpp"
-#include "app/command_line/manual_page.hpp"
-#include "app/command_line/mistakes.hpp"
-#include "app/commands/commands.hpp"
-#include "app/memory/open_memory.hpp"
-#include "base/user_error.hpp"
+#include "striate/agent/open_memory.hpp"
+#include "striate/app/command_line/command_walk.hpp"
+#include "striate/app/command_line/completion.hpp"
+#include "striate/app/command_line/manual_page.hpp"
+#include "striate/app/command_line/mistakes.hpp"
+#include "striate/app/commands/commands.hpp"
+#include "striate/base/user_error.hpp"
 
-namespace striate {
+namespace striate::app {
 namespace {
 
 struct HelpOptions {
@@ -34,7 +34,7 @@ std::string help_of(const CLI::App& app, const std::vector<std::string>& names) 
 }
 
 std::string asked_for(const CLI::App& app, const HelpOptions& options) {
-  if (options.man) return manual_page(describe(app), software_name());
+  if (options.man) return manual_page(describe(app), agent::software_name());
   if (options.completion == "bash") return bash_completion(describe(app));
   if (options.completion == "zsh") return zsh_completion(describe(app));
   return help_of(app, options.command);
@@ -63,4 +63,4 @@ void add_help_command(CLI::App& app, int& exit_code) {
   });
 }
 
-}  // namespace striate
+}  // namespace striate::app

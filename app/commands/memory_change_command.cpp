@@ -1,32 +1,32 @@
 #include <fmt/format.h>
 #include <sqlite3.h>
 
-#include "app/commands/memory_command.hpp"
-#include "app/memory/memory_json.hpp"
-#include "app/memory/open_memory.hpp"
-#include "app/memory/text_table.hpp"
-#include "memory/long_term/forgetting.hpp"
+#include "striate/agent/memory_json.hpp"
+#include "striate/agent/open_memory.hpp"
+#include "striate/app/commands/memory_command.hpp"
+#include "striate/app/memory/text_table.hpp"
+#include "striate/memory/long_term/forgetting.hpp"
 
-namespace striate {
+namespace striate::app {
 namespace {
 
 void print_done(const MemoryCommandOptions& options, const std::string& name, const char* what) {
   if (options.json) {
-    fmt::print("{}", print_json({{"name", name}, {"done", what}}));
+    fmt::print("{}", agent::print_json({{"name", name}, {"done", what}}));
   } else {
     fmt::print("{}: {}\n", name, what);
   }
 }
 
-void print_plan(const MemoryCommandOptions& options, const PrunePlan& plan, bool done) {
+void print_plan(const MemoryCommandOptions& options, const memory::PrunePlan& plan, bool done) {
   if (options.json) {
     nlohmann::ordered_json json = {{"done", done},
                                    {"retire", nlohmann::ordered_json::array()},
                                    {"remove", nlohmann::ordered_json::array()},
                                    {"episodes", plan.episodes}};
-    for (const Landmark& one : plan.retire) json["retire"].push_back(to_json(one));
-    for (const Landmark& one : plan.remove) json["remove"].push_back(to_json(one));
-    fmt::print("{}", print_json(json));
+    for (const memory::Landmark& one : plan.retire) json["retire"].push_back(agent::to_json(one));
+    for (const memory::Landmark& one : plan.remove) json["remove"].push_back(agent::to_json(one));
+    fmt::print("{}", agent::print_json(json));
     return;
   }
   if (plan.empty()) {
@@ -34,10 +34,10 @@ void print_plan(const MemoryCommandOptions& options, const PrunePlan& plan, bool
     return;
   }
   TextTable table({"landmark", "what", "why"});
-  for (const Landmark& one : plan.retire) {
+  for (const memory::Landmark& one : plan.retire) {
     table.add({one.name, "forget (can be restored)", one.retired_why});
   }
-  for (const Landmark& one : plan.remove) {
+  for (const memory::Landmark& one : plan.remove) {
     table.add({one.name, "remove for good", "forgotten long ago: " + one.retired_why});
   }
   if (!table.empty()) fmt::print("{}", table.print(terminal_width()));
@@ -47,7 +47,7 @@ void print_plan(const MemoryCommandOptions& options, const PrunePlan& plan, bool
 
 /// What pruning gave back reaches the disk only when the file is written anew.
 void give_room_back(const std::string& path) {
-  MemoryFile file(path, memory_options(Access::edit, "striate memory"));
+  memory::MemoryFile file(path, agent::memory_options(memory::Access::edit, "striate memory"));
   try {
     file.database().exec("VACUUM");
   } catch (const SQLite::Exception& error) {
@@ -59,13 +59,13 @@ void give_room_back(const std::string& path) {
 }
 
 void prune_command(const MemoryCommandOptions& options, bool yes) {
-  with_memory(options.file, yes ? Access::edit : Access::read, "pruning it",
-              [&](MemoryTables& tables, MemoryFile&) {
-                const LongTermSettings settings = options.settings();
-                const PrunePlan plan = plan_prune(tables, settings);
-                if (yes) prune(tables, plan, settings);
-                print_plan(options, plan, yes);
-              });
+  agent::with_memory(options.file, yes ? memory::Access::edit : memory::Access::read, "pruning it",
+                     [&](memory::MemoryTables& tables, memory::MemoryFile&) {
+                       const memory::LongTermSettings settings = options.settings();
+                       const memory::PrunePlan plan = memory::plan_prune(tables, settings);
+                       if (yes) memory::prune(tables, plan, settings);
+                       print_plan(options, plan, yes);
+                     });
   if (yes) give_room_back(options.file);
 }
 
@@ -81,10 +81,10 @@ void add_memory_change_verbs(CLI::App& command, const SharedMemoryOptions& share
       "forget", "Forgets a landmark: it is no longer looked for. 'restore' brings it back.");
   verb->add_option("name", forgotten->name, "the landmark")->type_name("NAME")->required();
   verb->callback([shared, forgotten, &exit_code] {
-    with_memory(shared->file, Access::edit, "forgetting it",
-                [&](MemoryTables& tables, MemoryFile&) {
-                  forget(tables, forgotten->name, "a person asked for it");
-                });
+    agent::with_memory(shared->file, memory::Access::edit, "forgetting it",
+                       [&](memory::MemoryTables& tables, memory::MemoryFile&) {
+                         memory::forget(tables, forgotten->name, "a person asked for it");
+                       });
     print_done(*shared, forgotten->name, "forgotten");
     exit_code = 0;
   });
@@ -92,8 +92,10 @@ void add_memory_change_verbs(CLI::App& command, const SharedMemoryOptions& share
   verb = command.add_subcommand("restore", "Brings a forgotten landmark back, and pins it.");
   verb->add_option("name", restored->name, "the landmark")->type_name("NAME")->required();
   verb->callback([shared, restored, &exit_code] {
-    with_memory(shared->file, Access::edit, "restoring it",
-                [&](MemoryTables& tables, MemoryFile&) { restore(tables, restored->name); });
+    agent::with_memory(shared->file, memory::Access::edit, "restoring it",
+                       [&](memory::MemoryTables& tables, memory::MemoryFile&) {
+                         memory::restore(tables, restored->name);
+                       });
     print_done(*shared, restored->name, "restored");
     exit_code = 0;
   });
@@ -109,4 +111,4 @@ void add_memory_change_verbs(CLI::App& command, const SharedMemoryOptions& share
   });
 }
 
-}  // namespace striate
+}  // namespace striate::app

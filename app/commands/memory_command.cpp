@@ -1,8 +1,8 @@
-#include "app/commands/memory_command.hpp"
+#include "striate/app/commands/memory_command.hpp"
 
-#include "app/commands/commands.hpp"
+#include "striate/app/commands/commands.hpp"
 
-namespace striate {
+namespace striate::app {
 
 void add_memory_command(CLI::App& app, int& exit_code) {
   auto shared = std::make_shared<MemoryCommandOptions>();
@@ -24,4 +24,4 @@ void add_memory_command(CLI::App& app, int& exit_code) {
   for (CLI::App* verb : command->get_subcommands({})) verb->fallthrough();
 }
 
-}  // namespace striate
+}  // namespace striate::app

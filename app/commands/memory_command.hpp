@@ -4,10 +4,10 @@
 #include <memory>
 #include <string>
 
-#include "app/robot_settings.hpp"
+#include "striate/agent/robot_settings.hpp"
 
 /// The verbs of `striate memory`, a file a group.
-namespace striate {
+namespace striate::app {
 
 /// What all verbs share.
 struct MemoryCommandOptions {
@@ -16,8 +16,8 @@ struct MemoryCommandOptions {
   bool json = false;
 
   /// @throws UserError with all mistakes of the settings file.
-  [[nodiscard]] LongTermSettings settings() const {
-    return load_robot_settings(robot).long_term_memory;
+  [[nodiscard]] memory::LongTermSettings settings() const {
+    return agent::load_robot_settings(robot).long_term_memory;
   }
 };
 
@@ -32,4 +32,4 @@ void add_memory_change_verbs(CLI::App& command, const SharedMemoryOptions& share
 /// check, diff, export, import, merge
 void add_memory_file_verbs(CLI::App& command, const SharedMemoryOptions& shared, int& exit_code);
 
-}  // namespace striate
+}  // namespace striate::app

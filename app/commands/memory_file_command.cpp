@@ -4,60 +4,69 @@
 #include <filesystem>
 #include <string_view>
 
-#include "app/commands/memory_command.hpp"
-#include "app/memory/memory_diff.hpp"
-#include "app/memory/memory_json.hpp"
-#include "app/memory/open_memory.hpp"
-#include "app/memory/text_table.hpp"
-#include "base/files.hpp"
-#include "base/user_error.hpp"
-#include "memory/long_term/damage.hpp"
-#include "memory/long_term/memory_writer.hpp"
-#include "memory/long_term/merging.hpp"
+#include "striate/agent/memory_json.hpp"
+#include "striate/agent/open_memory.hpp"
+#include "striate/app/commands/memory_command.hpp"
+#include "striate/app/memory/memory_diff.hpp"
+#include "striate/app/memory/memory_transfer.hpp"
+#include "striate/app/memory/text_table.hpp"
+#include "striate/base/files.hpp"
+#include "striate/base/user_error.hpp"
+#include "striate/memory/long_term/damage.hpp"
+#include "striate/memory/long_term/memory_writer.hpp"
+#include "striate/memory/long_term/merging.hpp"
 
-namespace striate {
+namespace striate::app {
 namespace {
 
 int check(const MemoryCommandOptions& options) {
   std::vector<std::string> damage;
-  with_memory(options.file, Access::read, "checking it", [&](MemoryTables&, MemoryFile& file) {
-    damage = find_damage(file.database());
-    if (options.json) {
-      fmt::print(
-          "{}", print_json({{"file", options.file}, {"good", damage.empty()}, {"damage", damage}}));
-      return;
-    }
-    for (const std::string& line : damage) fmt::print("{}: {}\n", options.file, line);
-    if (!damage.empty()) return;
-    const auto count = [&](const char* query) {
-      return file.database().execAndGet(query).getInt64();
-    };
-    fmt::print("{}: good: {} landmarks, {} views, {} sessions of which {} crashed, {} episodes\n",
-               options.file, count("SELECT count(*) FROM landmark"),
-               count("SELECT count(*) FROM landmark_view"), count("SELECT count(*) FROM session"),
-               count("SELECT count(*) FROM session WHERE state = 'crashed'"),
-               count("SELECT count(*) FROM episode"));
-  });
+  agent::with_memory(
+      options.file, memory::Access::read, "checking it",
+      [&](memory::MemoryTables&, memory::MemoryFile& file) {
+        damage = memory::find_damage(file.database());
+        if (options.json) {
+          fmt::print("{}",
+                     agent::print_json(
+                         {{"file", options.file}, {"good", damage.empty()}, {"damage", damage}}));
+          return;
+        }
+        for (const std::string& line : damage) fmt::print("{}: {}\n", options.file, line);
+        if (!damage.empty()) return;
+        const auto count = [&](const char* query) {
+          return file.database().execAndGet(query).getInt64();
+        };
+        fmt::print(
+            "{}: good: {} landmarks, {} views, {} sessions of which {} crashed, {} episodes\n",
+            options.file, count("SELECT count(*) FROM landmark"),
+            count("SELECT count(*) FROM landmark_view"), count("SELECT count(*) FROM session"),
+            count("SELECT count(*) FROM session WHERE state = 'crashed'"),
+            count("SELECT count(*) FROM episode"));
+      });
   return damage.empty() ? 0 : 1;
 }
 
 void diff(const MemoryCommandOptions& options, const std::string& a, const std::string& b) {
-  with_memory(a, Access::read, "comparing it", [&](MemoryTables& in_a, MemoryFile&) {
-    with_memory(b, Access::read, "comparing it", [&](MemoryTables& in_b, MemoryFile&) {
-      const std::vector<Difference> found = differences(in_a, in_b);
-      if (options.json) {
-        nlohmann::ordered_json json = nlohmann::ordered_json::array();
-        for (const Difference& one : found) {
-          json.push_back({{"name", one.name}, {"what", one.what}});
-        }
-        fmt::print("{}", print_json(json));
-        return;
-      }
-      TextTable table({"landmark", fmt::format("A = {}, B = {}", a, b)});
-      for (const Difference& one : found) table.add({one.name, one.what});
-      fmt::print("{}", table.empty() ? "both know the same\n" : table.print(terminal_width()));
-    });
-  });
+  agent::with_memory(a, memory::Access::read, "comparing it",
+                     [&](memory::MemoryTables& in_a, memory::MemoryFile&) {
+                       agent::with_memory(
+                           b, memory::Access::read, "comparing it",
+                           [&](memory::MemoryTables& in_b, memory::MemoryFile&) {
+                             const std::vector<Difference> found = differences(in_a, in_b);
+                             if (options.json) {
+                               nlohmann::ordered_json json = nlohmann::ordered_json::array();
+                               for (const Difference& one : found) {
+                                 json.push_back({{"name", one.name}, {"what", one.what}});
+                               }
+                               fmt::print("{}", agent::print_json(json));
+                               return;
+                             }
+                             TextTable table({"landmark", fmt::format("A = {}, B = {}", a, b)});
+                             for (const Difference& one : found) table.add({one.name, one.what});
+                             fmt::print("{}", table.empty() ? "both know the same\n"
+                                                            : table.print(terminal_width()));
+                           });
+                     });
 }
 
 /// An export must not take the place of a memory: not of this one, and of no other.
@@ -82,43 +91,49 @@ void export_command(const MemoryCommandOptions& options, const std::string& out)
   }
   std::string text;
   std::size_t landmarks = 0;
-  with_memory(options.file, Access::read, "exporting it", [&](MemoryTables& tables, MemoryFile&) {
-    const nlohmann::ordered_json json = export_memory(tables);
-    landmarks = json.at("landmarks").size();
-    const int damaged = json.at("damaged_views_left_out");
-    if (damaged > 0) fmt::print(stderr, "{}: {} damaged views left out\n", options.file, damaged);
-    text = print_json(json);
-  });
+  agent::with_memory(options.file, memory::Access::read, "exporting it",
+                     [&](memory::MemoryTables& tables, memory::MemoryFile&) {
+                       const nlohmann::ordered_json json = export_memory(tables);
+                       landmarks = json.at("landmarks").size();
+                       const int damaged = json.at("damaged_views_left_out");
+                       if (damaged > 0)
+                         fmt::print(stderr, "{}: {} damaged views left out\n", options.file,
+                                    damaged);
+                       text = agent::print_json(json);
+                     });
   if (out == "-") {
     fmt::print("{}", text);
     return;
   }
   write_file(out, text);
   if (options.json) {
-    fmt::print("{}", print_json({{"file", out}, {"landmarks", landmarks}}));
+    fmt::print("{}", agent::print_json({{"file", out}, {"landmarks", landmarks}}));
   } else {
     fmt::print("{}: {} landmarks\n", out, landmarks);
   }
 }
 
 /// Merges `other` into the memory, in a session of its own.
-void take_in(const MemoryCommandOptions& options, const std::string& from, MemoryTables& other) {
-  MemoryWriter writer(options.file, memory_options(Access::session, "striate memory"));
-  print_notices(writer.notices());
-  Merged merged;
-  writer.commit([&](MemoryTables& tables) {
-    merged = merge(tables, other, options.settings());
+void take_in(const MemoryCommandOptions& options, const std::string& from,
+             memory::MemoryTables& other) {
+  memory::MemoryWriter writer(options.file,
+                              agent::memory_options(memory::Access::session, "striate memory"));
+  agent::print_notices(writer.notices());
+  memory::Merged merged;
+  writer.commit([&](memory::MemoryTables& tables) {
+    merged = memory::merge(tables, other, options.settings());
     if (merged.nothing_new()) return;
-    const Session session = tables.sessions.begin(SessionKind::import, software_name(), from,
-                                                  memory_options(Access::session, "").now_unix_s);
+    const memory::Session session =
+        tables.sessions.begin(memory::SessionKind::import, agent::software_name(), from,
+                              agent::memory_options(memory::Access::session, "").now_unix_s);
     tables.sessions.end(session.id, 0.0, "kept");
   });
   if (options.json) {
-    fmt::print("{}", print_json({{"added", merged.added},
-                                 {"joined", merged.joined},
-                                 {"views", merged.views},
-                                 {"damaged_views_left_out", merged.damaged},
-                                 {"remarks", merged.remarks}}));
+    fmt::print("{}", agent::print_json({{"added", merged.added},
+                                        {"joined", merged.joined},
+                                        {"views", merged.views},
+                                        {"damaged_views_left_out", merged.damaged},
+                                        {"remarks", merged.remarks}}));
     return;
   }
   fmt::print("{}: {} landmarks added, {} joined with known ones, {} views came in{}\n",
@@ -132,18 +147,22 @@ void merge_command(const MemoryCommandOptions& options, const std::string& other
   if (std::filesystem::equivalent(options.file, other, none)) {
     throw UserError(fmt::format("{}: cannot be merged with itself", other));
   }
-  with_memory(other, Access::read, "merging it",
-              [&](MemoryTables& theirs, MemoryFile&) { take_in(options, other, theirs); });
+  agent::with_memory(
+      other, memory::Access::read, "merging it",
+      [&](memory::MemoryTables& theirs, memory::MemoryFile&) { take_in(options, other, theirs); });
 }
 
 void import_command(const MemoryCommandOptions& options, const std::string& from) {
   const std::string text = read_file(from);
   const ScratchFolder scratch;
   const std::string copy = scratch / "import.db";
-  with_memory(copy, Access::session, "importing it",
-              [&](MemoryTables& tables, MemoryFile&) { import_memory(text, from, tables); });
-  with_memory(copy, Access::read, "importing it",
-              [&](MemoryTables& theirs, MemoryFile&) { take_in(options, from, theirs); });
+  agent::with_memory(copy, memory::Access::session, "importing it",
+                     [&](memory::MemoryTables& tables, memory::MemoryFile&) {
+                       import_memory(text, from, tables);
+                     });
+  agent::with_memory(
+      copy, memory::Access::read, "importing it",
+      [&](memory::MemoryTables& theirs, memory::MemoryFile&) { take_in(options, from, theirs); });
 }
 
 void add_check_and_diff(CLI::App& command, const SharedMemoryOptions& shared, int& exit_code) {
@@ -192,4 +211,4 @@ void add_memory_file_verbs(CLI::App& command, const SharedMemoryOptions& shared,
   });
 }
 
-}  // namespace striate
+}  // namespace striate::app

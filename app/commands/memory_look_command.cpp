@@ -2,152 +2,162 @@
 
 #include <algorithm>
 
-#include "app/commands/memory_command.hpp"
-#include "app/memory/memory_json.hpp"
-#include "app/memory/memory_pictures.hpp"
-#include "app/memory/open_memory.hpp"
-#include "app/memory/text_table.hpp"
-#include "app/perceive_files.hpp"
-#include "app/run_result.hpp"
-#include "base/files.hpp"
-#include "memory/long_term/forgetting.hpp"
+#include "striate/agent/memory_json.hpp"
+#include "striate/agent/open_memory.hpp"
+#include "striate/agent/pictures/memory_pictures.hpp"
+#include "striate/agent/run_result.hpp"
+#include "striate/app/commands/memory_command.hpp"
+#include "striate/app/memory/text_table.hpp"
+#include "striate/app/perceive_files.hpp"
+#include "striate/base/files.hpp"
+#include "striate/memory/long_term/forgetting.hpp"
 
-namespace striate {
+namespace striate::app {
 namespace {
 
-std::string place_text(const Landmark& landmark) {
+std::string pose_text(const memory::Landmark& landmark) {
   if (!landmark.position) return "-";
   return fmt::format("{:.2f} m, {:.2f} m", landmark.position->x_m, landmark.position->y_m);
 }
 
-std::string state_text(const Landmark& landmark) {
+std::string state_text(const memory::Landmark& landmark) {
   if (landmark.retired_s) return "forgotten";
   return landmark.pinned ? "pinned" : "kept";
 }
 
-std::string ago(const Landmark& landmark, double now_s) {
+std::string ago(const memory::Landmark& landmark, double now_s) {
   const std::vector<double>& recent_s = landmark.history.recent_s;
-  return recent_s.empty() ? "never" : print_time_span(now_s - recent_s.front());
+  return recent_s.empty() ? "never" : memory::print_time_span(now_s - recent_s.front());
 }
 
 /// The most active first, as they would be looked for.
 void list(const MemoryCommandOptions& options, bool with_retired) {
-  with_memory(options.file, Access::read, "listing it", [&](MemoryTables& tables, MemoryFile&) {
-    const LongTermSettings settings = options.settings();
-    const Situation situation{tables.sessions.operating_now_s(), 0, {}};
-    std::vector<std::pair<double, Landmark>> rows;
-    for (const Landmark& landmark : tables.landmarks.all(with_retired)) {
-      rows.emplace_back(activation_of(landmark, situation, {}, settings).total(), landmark);
-    }
-    std::stable_sort(rows.begin(), rows.end(),
-                     [](const auto& a, const auto& b) { return a.first > b.first; });
-    if (options.json) {
-      nlohmann::ordered_json json = nlohmann::ordered_json::array();
-      for (const auto& [activation, landmark] : rows) {
-        json.push_back(to_json(landmark));
-        json.back()["activation"] = activation;
-      }
-      fmt::print("{}", print_json(json));
-      return;
-    }
-    TextTable table({"name", "kind", ">views", ">keypoints", ">strength", ">activation", ">uses",
-                     ">last used", "place", "state"});
-    for (const auto& [activation, landmark] : rows) {
-      table.add({landmark.name, name_of(landmark.kind), std::to_string(landmark.views),
-                 std::to_string(landmark.keypoints), fmt::format("{:.2f}", landmark.strength),
-                 fmt::format("{:+.2f}", activation), std::to_string(landmark.history.uses),
-                 ago(landmark, situation.now_s), place_text(landmark), state_text(landmark)});
-    }
-    fmt::print("{}",
-               table.empty() ? options.file + ": no landmark\n" : table.print(terminal_width()));
-  });
+  agent::with_memory(
+      options.file, memory::Access::read, "listing it",
+      [&](memory::MemoryTables& tables, memory::MemoryFile&) {
+        const memory::LongTermSettings settings = options.settings();
+        const memory::Situation situation{tables.sessions.operating_now_s(), 0, {}};
+        std::vector<std::pair<double, memory::Landmark>> rows;
+        for (const memory::Landmark& landmark : tables.landmarks.all(with_retired)) {
+          rows.emplace_back(memory::activation_of(landmark, situation, {}, settings).total(),
+                            landmark);
+        }
+        std::stable_sort(rows.begin(), rows.end(),
+                         [](const auto& a, const auto& b) { return a.first > b.first; });
+        if (options.json) {
+          nlohmann::ordered_json json = nlohmann::ordered_json::array();
+          for (const auto& [activation, landmark] : rows) {
+            json.push_back(agent::to_json(landmark));
+            json.back()["activation"] = activation;
+          }
+          fmt::print("{}", agent::print_json(json));
+          return;
+        }
+        TextTable table({"name", "kind", ">views", ">keypoints", ">strength", ">activation",
+                         ">uses", ">last used", "place", "state"});
+        for (const auto& [activation, landmark] : rows) {
+          table.add({landmark.name, name_of(landmark.kind), std::to_string(landmark.views),
+                     std::to_string(landmark.keypoints), fmt::format("{:.2f}", landmark.strength),
+                     fmt::format("{:+.2f}", activation), std::to_string(landmark.history.uses),
+                     ago(landmark, situation.now_s), pose_text(landmark), state_text(landmark)});
+        }
+        fmt::print(
+            "{}", table.empty() ? options.file + ": no landmark\n" : table.print(terminal_width()));
+      });
 }
 
-nlohmann::ordered_json shown_json(const Landmark& landmark, const std::vector<StoredView>& views) {
-  nlohmann::ordered_json json = to_json(landmark);
+nlohmann::ordered_json shown_json(const memory::Landmark& landmark,
+                                  const std::vector<memory::StoredView>& views) {
+  nlohmann::ordered_json json = agent::to_json(landmark);
   json["looks"] = nlohmann::ordered_json::array();
-  for (const StoredView& view : views) json["looks"].push_back(to_json(view));
+  for (const memory::StoredView& view : views) json["looks"].push_back(agent::to_json(view));
   return json;
 }
 
-void print_shown(const Landmark& landmark, const std::vector<StoredView>& views, double now_s) {
+void print_shown(const memory::Landmark& landmark, const std::vector<memory::StoredView>& views,
+                 double now_s) {
   fmt::print("{} ({}, {}{})\n", landmark.name, name_of(landmark.kind), state_text(landmark),
              landmark.retired_why.empty() ? "" : ": " + landmark.retired_why);
   fmt::print("  strength {:.2f}, uses {}, the last {} of work ago, place {}\n", landmark.strength,
-             landmark.history.uses, ago(landmark, now_s), place_text(landmark));
+             landmark.history.uses, ago(landmark, now_s), pose_text(landmark));
   TextTable table({">view", ">width", ">height", ">keypoints", ">range", ">picture", "state"});
-  for (const StoredView& view : views) {
+  for (const memory::StoredView& view : views) {
     table.add({std::to_string(view.id), fmt::format("{:.0f} px", view.width_px),
                fmt::format("{:.0f} px", view.height_px), std::to_string(view.keypoints.size()),
                view.range_m ? fmt::format("{:.2f} m", *view.range_m) : "-",
-               view.picture.empty() ? "-" : fmt::format("{} kB", view.picture.size() / 1024 + 1),
+               view.image.empty() ? "-" : fmt::format("{} kB", view.image.size() / 1024 + 1),
                view.damaged ? "damaged: not used" : "good"});
   }
   if (!table.empty()) fmt::print("{}", table.print(terminal_width()));
 }
 
-void show(const MemoryCommandOptions& options, const std::string& name,
-          const std::string& picture) {
-  check_picture_writable(picture);
-  with_memory(options.file, Access::read, "showing it", [&](MemoryTables& tables, MemoryFile&) {
-    const Landmark landmark = find_landmark(tables, name);
-    const std::vector<StoredView> views = tables.views.of(landmark.id);
-    if (!picture.empty()) write_picture(picture, pictures::draw_views(landmark, views));
-    if (options.json) {
-      fmt::print("{}", print_json(shown_json(landmark, views)));
-    } else {
-      print_shown(landmark, views, tables.sessions.operating_now_s());
-    }
-  });
+void show(const MemoryCommandOptions& options, const std::string& name, const std::string& image) {
+  check_image_writable(image);
+  agent::with_memory(options.file, memory::Access::read, "showing it",
+                     [&](memory::MemoryTables& tables, memory::MemoryFile&) {
+                       const memory::Landmark landmark = memory::find_landmark(tables, name);
+                       const std::vector<memory::StoredView> views = tables.views.of(landmark.id);
+                       if (!image.empty())
+                         write_picture(image, agent::pictures::draw_views(landmark, views));
+                       if (options.json) {
+                         fmt::print("{}", agent::print_json(shown_json(landmark, views)));
+                       } else {
+                         print_shown(landmark, views, tables.sessions.operating_now_s());
+                       }
+                     });
 }
 
 void why(const MemoryCommandOptions& options, const std::string& name, const std::string& goal) {
-  with_memory(options.file, Access::read, "explaining it", [&](MemoryTables& tables, MemoryFile&) {
-    const LongTermSettings settings = options.settings();
-    const Landmark landmark = find_landmark(tables, name);
-    Situation situation{tables.sessions.operating_now_s(), 0, {}};
-    if (!goal.empty()) situation.goal = find_landmark(tables, goal).id;
-    const std::vector<Route> routes = tables.places.routes();
-    std::string keeps = why_forgettable(landmark, situation.now_s, settings);
-    if (landmark.retired_s) {
-      keeps = "it is forgotten: " + landmark.retired_why;
-    } else if (!keeps.empty()) {
-      keeps = "the next prune forgets it: " + keeps;
-    } else {
-      keeps = landmark.pinned                         ? "it is pinned, so it is not forgotten"
-              : landmark.kind == LandmarkKind::taught ? "a person taught it, so it is not forgotten"
-                                                      : "it is not forgotten: strong or active";
-    }
-    if (options.json) {
-      const Activation parts = activation_of(landmark, situation, routes, settings);
-      fmt::print("{}", print_json({{"name", landmark.name},
-                                   {"activation", parts.total()},
-                                   {"base", parts.base},
-                                   {"goal", parts.goal},
-                                   {"route", parts.route},
-                                   {"strength", parts.strength},
-                                   {"fate", keeps}}));
-      return;
-    }
-    for (const std::string& line : explain(landmark, situation, routes, settings)) {
-      fmt::print("{}\n", line);
-    }
-    fmt::print("  {}.\n", keeps);
-  });
+  agent::with_memory(
+      options.file, memory::Access::read, "explaining it",
+      [&](memory::MemoryTables& tables, memory::MemoryFile&) {
+        const memory::LongTermSettings settings = options.settings();
+        const memory::Landmark landmark = memory::find_landmark(tables, name);
+        memory::Situation situation{tables.sessions.operating_now_s(), 0, {}};
+        if (!goal.empty()) situation.goal = memory::find_landmark(tables, goal).id;
+        const std::vector<memory::Route> routes = tables.places.routes();
+        std::string keeps = memory::why_forgettable(landmark, situation.now_s, settings);
+        if (landmark.retired_s) {
+          keeps = "it is forgotten: " + landmark.retired_why;
+        } else if (!keeps.empty()) {
+          keeps = "the next prune forgets it: " + keeps;
+        } else {
+          keeps = landmark.pinned ? "it is pinned, so it is not forgotten"
+                  : landmark.kind == memory::LandmarkKind::taught
+                      ? "a person taught it, so it is not forgotten"
+                      : "it is not forgotten: strong or active";
+        }
+        if (options.json) {
+          const memory::Activation parts =
+              memory::activation_of(landmark, situation, routes, settings);
+          fmt::print("{}", agent::print_json({{"name", landmark.name},
+                                              {"activation", parts.total()},
+                                              {"base", parts.base},
+                                              {"goal", parts.goal},
+                                              {"route", parts.route},
+                                              {"strength", parts.strength},
+                                              {"fate", keeps}}));
+          return;
+        }
+        for (const std::string& line : memory::explain(landmark, situation, routes, settings)) {
+          fmt::print("{}\n", line);
+        }
+        fmt::print("  {}.\n", keeps);
+      });
 }
 
 void add_show_and_why(CLI::App& command, const SharedMemoryOptions& shared, int& exit_code) {
   struct Named {
     std::string name;
-    std::string picture;
+    std::string image;
     std::string goal;
   };
   auto shown = std::make_shared<Named>();
   CLI::App* verb = command.add_subcommand("show", "Shows one landmark and its views.");
   verb->add_option("name", shown->name, "the landmark")->type_name("NAME")->required();
-  verb->add_option("--picture", shown->picture, "writes its views with their keypoints (PNG)");
+  verb->add_option("--picture", shown->image, "writes its views with their keypoints (PNG)");
   verb->callback([shared, shown, &exit_code] {
-    show(*shared, shown->name, shown->picture);
+    show(*shared, shown->name, shown->image);
     exit_code = 0;
   });
   auto explained = std::make_shared<Named>();
@@ -177,4 +187,4 @@ void add_memory_look_verbs(CLI::App& command, const SharedMemoryOptions& shared,
   add_show_and_why(command, shared, exit_code);
 }
 
-}  // namespace striate
+}  // namespace striate::app

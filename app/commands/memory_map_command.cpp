@@ -5,46 +5,49 @@
 #include <numbers>
 #include <unordered_map>
 
-#include "app/commands/memory_command.hpp"
-#include "app/memory/memory_json.hpp"
-#include "app/memory/memory_map_svg.hpp"
-#include "app/memory/memory_pictures.hpp"
-#include "app/memory/open_memory.hpp"
-#include "app/memory/text_table.hpp"
-#include "app/perceive_files.hpp"
-#include "app/run_result.hpp"
-#include "base/files.hpp"
+#include "striate/agent/memory_json.hpp"
+#include "striate/agent/open_memory.hpp"
+#include "striate/agent/pictures/memory_map_svg.hpp"
+#include "striate/agent/pictures/memory_pictures.hpp"
+#include "striate/agent/run_result.hpp"
+#include "striate/app/commands/memory_command.hpp"
+#include "striate/app/memory/text_table.hpp"
+#include "striate/app/perceive_files.hpp"
+#include "striate/base/files.hpp"
 
-namespace striate {
+namespace striate::app {
 namespace {
 
-void print_map_json(const std::vector<Landmark>& landmarks, const std::vector<Route>& routes,
-                    const std::vector<ObstacleCell>& cells) {
+void print_map_json(const std::vector<memory::Landmark>& landmarks,
+                    const std::vector<memory::Route>& routes,
+                    const std::vector<memory::ObstacleCell>& cells) {
   nlohmann::ordered_json json = {{"landmarks", nlohmann::ordered_json::array()},
                                  {"routes", nlohmann::ordered_json::array()},
-                                 {"cell_m", kObstacleCell_m},
+                                 {"cell_m", memory::kObstacleCell_m},
                                  {"obstacle_cells", nlohmann::ordered_json::array()}};
-  for (const Landmark& one : landmarks) {
-    if (one.position) json["landmarks"].push_back(to_json(one));
+  for (const memory::Landmark& one : landmarks) {
+    if (one.position) json["landmarks"].push_back(agent::to_json(one));
   }
-  for (const Route& one : routes) json["routes"].push_back(to_json(one));
-  for (const ObstacleCell& one : cells) json["obstacle_cells"].push_back(to_json(one));
-  fmt::print("{}", print_json(json));
+  for (const memory::Route& one : routes) json["routes"].push_back(agent::to_json(one));
+  for (const memory::ObstacleCell& one : cells)
+    json["obstacle_cells"].push_back(agent::to_json(one));
+  fmt::print("{}", agent::print_json(json));
 }
 
-void print_map(const std::vector<Landmark>& landmarks, const std::vector<Route>& routes,
-               const std::vector<ObstacleCell>& cells) {
+void print_map(const std::vector<memory::Landmark>& landmarks,
+               const std::vector<memory::Route>& routes,
+               const std::vector<memory::ObstacleCell>& cells) {
   std::unordered_map<std::int64_t, std::string> names;
   TextTable places({"landmark", ">x", ">y", ">sure to"});
-  for (const Landmark& one : landmarks) {
+  for (const memory::Landmark& one : landmarks) {
     names[one.id] = one.name;
     if (!one.position || one.retired_s) continue;
-    const MapPosition& at = *one.position;
+    const memory::MapPosition& at = *one.position;
     places.add({one.name, fmt::format("{:.2f} m", at.x_m), fmt::format("{:.2f} m", at.y_m),
                 fmt::format("{:.2f} m", std::sqrt(at.var_x_m2 + at.var_y_m2))});
   }
   TextTable ways({"from", "to", ">distance", ">turn", ">driven", ">failed"});
-  for (const Route& one : routes) {
+  for (const memory::Route& one : routes) {
     ways.add({names[one.from], names[one.to], fmt::format("{:.2f} m", one.distance_m),
               fmt::format("{:.0f} deg", one.turn_rad * 180.0 / std::numbers::pi),
               std::to_string(one.successes), std::to_string(one.failures)});
@@ -56,68 +59,72 @@ void print_map(const std::vector<Landmark>& landmarks, const std::vector<Route>&
 }
 
 /// PNG or SVG, by the end of the name.
-void draw_map(const std::string& file, const std::vector<Landmark>& landmarks,
-              const std::vector<Route>& routes, const std::vector<ObstacleCell>& cells) {
+void draw_map(const std::string& file, const std::vector<memory::Landmark>& landmarks,
+              const std::vector<memory::Route>& routes,
+              const std::vector<memory::ObstacleCell>& cells) {
   if (file.ends_with(".svg")) {
-    write_file(file, pictures::memory_map_svg(landmarks, routes, cells));
+    write_file(file, agent::pictures::memory_map_svg(landmarks, routes, cells));
   } else {
-    write_picture(file, pictures::draw_memory_map(landmarks, routes, cells));
+    write_picture(file, agent::pictures::draw_memory_map(landmarks, routes, cells));
   }
 }
 
-void map(const MemoryCommandOptions& options, const std::string& picture) {
-  if (picture.ends_with(".svg")) {
-    check_writable(picture);
+void map(const MemoryCommandOptions& options, const std::string& image) {
+  if (image.ends_with(".svg")) {
+    check_writable(image);
   } else {
-    check_picture_writable(picture);
+    check_image_writable(image);
   }
-  with_memory(options.file, Access::read, "reading its map",
-              [&](MemoryTables& tables, MemoryFile&) {
-                const std::vector<Landmark> landmarks = tables.landmarks.all(true);
-                const std::vector<Route> routes = tables.places.routes();
-                const std::vector<ObstacleCell> cells = tables.places.cells();
-                if (!picture.empty()) {
-                  draw_map(picture, tables.landmarks.all(false), routes, cells);
-                }
-                if (options.json) {
-                  print_map_json(landmarks, routes, cells);
-                } else {
-                  print_map(landmarks, routes, cells);
-                }
-              });
+  agent::with_memory(options.file, memory::Access::read, "reading its map",
+                     [&](memory::MemoryTables& tables, memory::MemoryFile&) {
+                       const std::vector<memory::Landmark> landmarks = tables.landmarks.all(true);
+                       const std::vector<memory::Route> routes = tables.places.routes();
+                       const std::vector<memory::ObstacleCell> cells = tables.places.cells();
+                       if (!image.empty()) {
+                         draw_map(image, tables.landmarks.all(false), routes, cells);
+                       }
+                       if (options.json) {
+                         print_map_json(landmarks, routes, cells);
+                       } else {
+                         print_map(landmarks, routes, cells);
+                       }
+                     });
 }
 
 void episodes(const MemoryCommandOptions& options, int most) {
-  with_memory(options.file, Access::read, "reading it", [&](MemoryTables& tables, MemoryFile&) {
-    std::vector<Episode> all = tables.sessions.episodes(most);
-    std::reverse(all.begin(), all.end());
-    if (options.json) {
-      nlohmann::ordered_json json = nlohmann::ordered_json::array();
-      for (const Episode& one : all) json.push_back(to_json(one));
-      fmt::print("{}", print_json(json));
-      return;
-    }
-    TextTable table({">session", ">time", "what", "landmark", "where", "text"});
-    for (const Episode& one : all) {
-      table.add({one.session ? std::to_string(*one.session) : "-",
-                 fmt::format("{:.1f} s", one.time_s), one.kind, one.landmark,
-                 one.x_m ? fmt::format("{:.2f} m, {:.2f} m", *one.x_m, one.y_m.value_or(0.0)) : "",
-                 one.text});
-    }
-    fmt::print("{}",
-               table.empty() ? options.file + ": no episode\n" : table.print(terminal_width()));
-  });
+  agent::with_memory(
+      options.file, memory::Access::read, "reading it",
+      [&](memory::MemoryTables& tables, memory::MemoryFile&) {
+        std::vector<memory::Episode> all = tables.sessions.episodes(most);
+        std::reverse(all.begin(), all.end());
+        if (options.json) {
+          nlohmann::ordered_json json = nlohmann::ordered_json::array();
+          for (const memory::Episode& one : all) json.push_back(agent::to_json(one));
+          fmt::print("{}", agent::print_json(json));
+          return;
+        }
+        TextTable table({">session", ">time", "what", "landmark", "where", "text"});
+        for (const memory::Episode& one : all) {
+          table.add(
+              {one.session ? std::to_string(*one.session) : "-",
+               fmt::format("{:.1f} s", one.time_s), one.kind, one.landmark,
+               one.x_m ? fmt::format("{:.2f} m, {:.2f} m", *one.x_m, one.y_m.value_or(0.0)) : "",
+               one.text});
+        }
+        fmt::print("{}",
+                   table.empty() ? options.file + ": no episode\n" : table.print(terminal_width()));
+      });
 }
 
 }  // namespace
 
 void add_memory_map_verbs(CLI::App& command, const SharedMemoryOptions& shared, int& exit_code) {
-  auto picture = std::make_shared<std::string>();
+  auto image = std::make_shared<std::string>();
   CLI::App* verb =
       command.add_subcommand("map", "Lists places and routes; or draws them with the obstacles.");
-  verb->add_option("--picture", *picture, "writes the map from above (.png or .svg)");
-  verb->callback([shared, picture, &exit_code] {
-    map(*shared, *picture);
+  verb->add_option("--picture", *image, "writes the map from above (.png or .svg)");
+  verb->callback([shared, image, &exit_code] {
+    map(*shared, *image);
     exit_code = 0;
   });
   auto most = std::make_shared<int>(50);
@@ -131,4 +138,4 @@ void add_memory_map_verbs(CLI::App& command, const SharedMemoryOptions& shared, 
   });
 }
 
-}  // namespace striate
+}  // namespace striate::app

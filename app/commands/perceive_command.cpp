@@ -1,26 +1,26 @@
 #include <memory>
 
-#include "app/commands/commands.hpp"
-#include "app/perceive.hpp"
+#include "striate/app/commands/commands.hpp"
+#include "striate/app/perceive.hpp"
 
-namespace striate {
+namespace striate::app {
 
 void add_perceive_command(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<PerceiveOptions>();
   PerceiveOptions& given = *options;
   CLI::App* command = app.add_subcommand(
       "perceive",
-      "Shows what the vision makes of a picture pair, or of one picture: disparity.pfm,\n"
+      "Shows what the vision makes of an image pair, or of one image: disparity.pfm,\n"
       "confidence.pfm, obstacles.json, saliency.png, keypoints.json and overview.png.\n"
       "Example: striate perceive --left L.png --right R.png --out out --focal-px 436.2 "
       "--baseline-m 0.11");
-  command->add_option("--left", given.left, "the left picture")->required();
+  command->add_option("--left", given.left, "the left image")->required();
   CLI::Option* right =
-      command->add_option("--right", given.right, "the right picture, rectified like the left");
+      command->add_option("--right", given.right, "the right image, rectified like the left");
   command->add_option("--out", given.out, "folder for what comes out")
       ->type_name("FOLDER")
       ->required();
-  command->add_option("--setting", given.setting, "the paper's own, or the robust one")
+  command->add_option("--mode", given.mode, "the paper's own, or the robust one")
       ->check(CLI::IsMember({"paper", "robust"}))
       ->capture_default_str();
   command->add_option("--width-px", given.width_px, "working width")
@@ -34,7 +34,7 @@ void add_perceive_command(CLI::App& app, int& exit_code) {
       ->check(CLI::Range(0, 256))
       ->capture_default_str();
   CLI::Option* focal =
-      command->add_option("--focal-px", given.focal_px, "focal length of the given pictures")
+      command->add_option("--focal-px", given.focal_px, "focal length of the given images")
           ->needs(right)
           ->check(CLI::PositiveNumber);
   CLI::Option* baseline =
@@ -57,4 +57,4 @@ void add_perceive_command(CLI::App& app, int& exit_code) {
   command->callback([options, &exit_code] { exit_code = perceive(*options); });
 }
 
-}  // namespace striate
+}  // namespace striate::app

@@ -3,19 +3,20 @@
 #include <memory>
 #include <optional>
 
-#include "app/command_line/whole_number.hpp"
-#include "app/commands/commands.hpp"
-#include "app/memory/memory_json.hpp"
-#include "app/memory/text_table.hpp"
-#include "app/perceive_files.hpp"
-#include "app/pictures/map_picture.hpp"
-#include "app/place_text.hpp"
-#include "app/recall/memory_state.hpp"
-#include "app/replay/replay_mission.hpp"
-#include "base/files.hpp"
-#include "base/user_error.hpp"
+#include "striate/agent/memory_json.hpp"
+#include "striate/agent/pictures/map_picture.hpp"
+#include "striate/agent/recall/memory_state.hpp"
+#include "striate/agent/replay/replay_mission.hpp"
+#include "striate/app/command_line/whole_number.hpp"
+#include "striate/app/commands/commands.hpp"
+#include "striate/app/memory/text_table.hpp"
+#include "striate/app/perceive_files.hpp"
+#include "striate/app/pose_text.hpp"
+#include "striate/app/recall/print_memory_state.hpp"
+#include "striate/base/files.hpp"
+#include "striate/base/user_error.hpp"
 
-namespace striate {
+namespace striate::app {
 namespace {
 
 constexpr int kMapSide_px = 960;  // half of a full HD screen's width, and nearly its height
@@ -24,13 +25,13 @@ struct RecallOptions {
   std::string file;
   std::optional<std::uint64_t> cycle;
   std::string at;
-  std::string picture;
+  std::string image;
   bool json = false;
 };
 
 void print(const RecallOptions& options, const nlohmann::ordered_json& state) {
   if (options.json) {
-    fmt::print("{}", print_json(state));
+    fmt::print("{}", agent::print_json(state));
     return;
   }
   try {
@@ -44,7 +45,7 @@ void print(const RecallOptions& options, const nlohmann::ordered_json& state) {
 int recall_recording(const RecallOptions& options) {
   std::optional<double> at_s;
   if (!options.at.empty()) at_s = parse_time_s("--at", options.at);
-  ReplayMission mission({options.file, {}, {}});
+  agent::ReplayMission mission({options.file, {}, {}});
   std::uint64_t last = 0;
   bool found = false;
   while (!found && mission.step()) {
@@ -57,19 +58,20 @@ int recall_recording(const RecallOptions& options) {
     throw UserError(fmt::format("{}: ends with cycle {} at {:.1f} s", options.file, last,
                                 to_seconds(mission.recorded().senses.now)));
   }
-  if (!options.picture.empty()) {
-    write_picture(options.picture, pictures::draw_map(mission.cycle().memory(), mission.robot(),
-                                                      mission.trail(), kMapSide_px));
+  if (!options.image.empty()) {
+    write_picture(options.image,
+                  agent::pictures::draw_map(mission.cycle().memory(), mission.robot(),
+                                            mission.trajectory(), kMapSide_px));
   }
-  print(options, memory_state(mission.cycle(), mission.executive(), last));
+  print(options, agent::memory_state(mission.cycle(), mission.executive(), last));
   return 0;
 }
 
 int run(const RecallOptions& options) {
-  check_picture_writable(options.picture);
+  check_image_writable(options.image);
   if (replay::is_recording(options.file)) return recall_recording(options);
-  const nlohmann::ordered_json state = read_memory_state(options.file);
-  if (options.cycle || !options.at.empty() || !options.picture.empty()) {
+  const nlohmann::ordered_json state = agent::read_memory_state(options.file);
+  if (options.cycle || !options.at.empty() || !options.image.empty()) {
     throw UserError(
         fmt::format("{}: is the memory of a mission as it is now; --cycle, --at and --picture go "
                     "with a recording",
@@ -101,9 +103,9 @@ void add_recall_command(CLI::App& app, int& exit_code) {
   command->add_option("--at", options->at, "the first cycle from this time on: \"12.3 s\"")
       ->type_name("TIME")
       ->excludes(cycle);
-  command->add_option("--picture", options->picture, "writes the map from above (PNG)");
+  command->add_option("--picture", options->image, "writes the map from above (PNG)");
   command->add_flag("--json", options->json, "print JSON instead of text");
   command->callback([options, &exit_code] { exit_code = run(*options); });
 }
 
-}  // namespace striate
+}  // namespace striate::app

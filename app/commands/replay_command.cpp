@@ -4,21 +4,21 @@
 #include <filesystem>
 #include <memory>
 
-#include "app/commands/commands.hpp"
-#include "app/interrupt.hpp"
-#include "app/memory/memory_json.hpp"
-#include "app/perceive_files.hpp"
-#include "app/pictures/cycle_sheet.hpp"
-#include "app/replay/replay_mission.hpp"
-#include "base/files.hpp"
-#include "base/user_error.hpp"
+#include "striate/agent/memory_json.hpp"
+#include "striate/agent/pictures/cycle_sheet.hpp"
+#include "striate/agent/replay/replay_mission.hpp"
+#include "striate/app/commands/commands.hpp"
+#include "striate/app/interrupt.hpp"
+#include "striate/app/perceive_files.hpp"
+#include "striate/base/files.hpp"
+#include "striate/base/user_error.hpp"
 
-namespace striate {
+namespace striate::app {
 namespace {
 
 struct ReplayCommandOptions {
-  ReplayOptions replay;
-  int picture_every = 0;  // cycles between pictures; 0: none
+  agent::ReplayOptions replay;
+  int picture_every = 0;  // cycles between images; 0: none
   std::string pictures;
   bool json = false;
 };
@@ -35,7 +35,7 @@ struct Comparison {
   double lasts_s = 0.0;
 };
 
-void compare(const ReplayMission& mission, Comparison& result) {
+void compare(const agent::ReplayMission& mission, Comparison& result) {
   const std::uint64_t number = mission.recorded().number;
   const std::uint64_t expected = result.cycles + result.gaps + 1;
   if (number > expected) {
@@ -52,16 +52,16 @@ void compare(const ReplayMission& mission, Comparison& result) {
   result.first = found;
 }
 
-void take_picture(const ReplayMission& mission, const ReplayCommandOptions& options) {
+void take_image(const agent::ReplayMission& mission, const ReplayCommandOptions& options) {
   if (options.picture_every <= 0 || options.pictures.empty()) return;
   const std::uint64_t number = mission.recorded().number;
   if (number % static_cast<unsigned>(options.picture_every) != 0) return;
   if (!mission.cycle().trace().percept.valid) return;
-  const std::string caption = pictures::cycle_caption(
+  const std::string caption = agent::pictures::cycle_caption(
       mission.cycle(), mission.cycle().memory().progress_m(), mission.executive().current_action());
-  write_picture(
-      fmt::format("{}/overview_{:05d}.png", options.pictures, number),
-      pictures::draw_cycle_sheet(mission.cycle(), mission.robot(), mission.trail(), caption));
+  write_picture(fmt::format("{}/overview_{:05d}.png", options.pictures, number),
+                agent::pictures::draw_cycle_sheet(mission.cycle(), mission.robot(),
+                                                  mission.trajectory(), caption));
 }
 
 const char* ending_text(replay::Ending ending) {
@@ -69,7 +69,7 @@ const char* ending_text(replay::Ending ending) {
                                            : "whole";
 }
 
-void print_text(const ReplayMission& mission, const Comparison& result) {
+void print_text(const agent::ReplayMission& mission, const Comparison& result) {
   const replay::RecordedSetup& setup = mission.setup();
   fmt::print("{} in {}, seed {}, recorded by {}\n", setup.task,
              setup.world.empty() ? "the real world" : setup.world, setup.seed, setup.software);
@@ -93,7 +93,7 @@ void print_text(const ReplayMission& mission, const Comparison& result) {
   for (const std::string& line : result.first) fmt::print("    {}\n", line);
 }
 
-void print_as_json(const ReplayMission& mission, const Comparison& result) {
+void print_as_json(const agent::ReplayMission& mission, const Comparison& result) {
   nlohmann::ordered_json json = {{"task", mission.setup().task},
                                  {"world", mission.setup().world},
                                  {"seed", mission.setup().seed},
@@ -109,17 +109,17 @@ void print_as_json(const ReplayMission& mission, const Comparison& result) {
     json["first_difference"] = {
         {"cycle", result.first_cycle}, {"time_s", result.first_s}, {"what", result.first}};
   }
-  fmt::print("{}", print_json(json));
+  fmt::print("{}", agent::print_json(json));
 }
 
 int run(const ReplayCommandOptions& options) {
   make_folder(options.pictures);
   const Interrupt interrupt;
-  ReplayMission mission(options.replay);
+  agent::ReplayMission mission(options.replay);
   Comparison result;
   while (!Interrupt::requested() && mission.step()) {
     compare(mission, result);
-    take_picture(mission, options);
+    take_image(mission, options);
   }
   if (options.json) {
     print_as_json(mission, result);
@@ -147,11 +147,11 @@ void add_replay_command(CLI::App& app, int& exit_code) {
                       "other settings than those of the recording");
   command->add_option("--task", options->replay.task, "another task than that of the recording");
   CLI::Option* pictures =
-      command->add_option("--pictures", options->pictures, "folder for overview pictures")
+      command->add_option("--pictures", options->pictures, "folder for overview images")
           ->type_name("FOLDER");
   command
       ->add_option("--picture-every", options->picture_every,
-                   "an overview picture every so many cycles; 0: none")
+                   "an overview image every so many cycles; 0: none")
       ->check(CLI::Range(0, 1000000))
       ->needs(pictures);
   pictures->needs("--picture-every");
@@ -159,4 +159,4 @@ void add_replay_command(CLI::App& app, int& exit_code) {
   command->callback([options, &exit_code] { exit_code = run(*options); });
 }
 
-}  // namespace striate
+}  // namespace striate::app

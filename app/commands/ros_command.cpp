@@ -4,60 +4,61 @@
 #include <memory>
 #include <string>
 
-#include "app/command_line/whole_number.hpp"
-#include "app/commands/commands.hpp"
-#include "app/commands/run_mission.hpp"
-#include "base/files.hpp"
-#include "app/simulated_body.hpp"
-#include "base/user_error.hpp"
+#include "striate/agent/simulated_body.hpp"
+#include "striate/app/command_line/whole_number.hpp"
+#include "striate/app/commands/commands.hpp"
+#include "striate/app/commands/run_mission.hpp"
+#include "striate/base/files.hpp"
+#include "striate/base/user_error.hpp"
 #ifdef STRIATE_HAS_ROS
-#include "app/ros/replay_bag.hpp"
-#include "app/ros/ros_bodies.hpp"
-#include "app/ros/tell_ros.hpp"
+#include "striate/agent/ros/ros_bodies.hpp"
+#include "striate/agent/ros/tell_ros.hpp"
+#include "striate/app/ros/replay_bag.hpp"
 #endif
 
-namespace striate {
+namespace striate::app {
 namespace {
 
 struct RosOptions {
   RunOptions run;
-  WorldOptions world;
+  agent::WorldOptions world;
 };
 
 struct BagOptions {
   std::string bag;
   std::string robot;
   std::string out;
-  int picture_every = 0;  // cycles between pictures; 0: none
+  int picture_every = 0;  // cycles between images; 0: none
 };
 
 #ifdef STRIATE_HAS_ROS
 
-int run_and_tell(RosOptions& options, const BodySource& body, ros1::Tells tells,
+int run_and_tell(RosOptions& options, const agent::BodySource& body, ros::Tells tells,
                  bool cmd_vel_drives) {
-  std::unique_ptr<TellRos> ros;
-  options.run.at_begin = [&](Mission& mission) {
-    ros = std::make_unique<TellRos>(mission, tells);
+  std::unique_ptr<agent::TellRos> ros;
+  options.run.at_begin = [&](agent::Mission& mission) {
+    ros = std::make_unique<agent::TellRos>(mission, tells);
     if (cmd_vel_drives) {
       const double tilt_rad = mission.body().description().resting_tilt_rad;
-      mission.set_pilot(cmd_vel_pilot(mission.settings().ros, tilt_rad));
+      mission.set_pilot(agent::cmd_vel_pilot(mission.settings().ros, tilt_rad));
     }
     if (options.run.quiet || options.run.json) return;
     fmt::print("on ROS; Ctrl-C ends it\n");
     std::fflush(stdout);
   };
-  options.run.each_cycle = [&](const Mission& mission) { ros->tell(mission); };
+  options.run.each_cycle = [&](const agent::Mission& mission) { ros->tell(mission); };
   return run_mission(options.run, body);
 }
 
 int serve(RosOptions& options) {
-  const BodySource body =
-      options.world.world.empty() ? real_pioneer() : pioneer_in_real_time(options.world);
-  return run_and_tell(options, body, ros1::Tells::body_and_mind, true);
+  const agent::BodySource body = options.world.world.empty()
+                                     ? agent::real_pioneer()
+                                     : agent::pioneer_in_real_time(options.world);
+  return run_and_tell(options, body, ros::Tells::body_and_mind, true);
 }
 
 int run(RosOptions& options) {
-  return run_and_tell(options, robot_behind_ros(), ros1::Tells::mind, false);
+  return run_and_tell(options, agent::robot_behind_ros(), ros::Tells::mind, false);
 }
 
 int replay(const BagOptions& options) {
@@ -86,7 +87,7 @@ int replay(const BagOptions& options) {
 void add_common(CLI::App& command, RosOptions& options) {
   command.add_option("--robot", options.run.mission.robot,
                      "settings; the section 'ros' names topics and frames");
-  command.add_option("--var", options.given, "a variable of the task, as \"way=20 m\"")
+  command.add_option("--var", options.run.given, "a variable of the task, as \"way=20 m\"")
       ->type_name("NAME=VALUE")
       ->take_all();
   command.add_option("--memory", options.run.memory,
@@ -100,7 +101,7 @@ void add_common(CLI::App& command, RosOptions& options) {
 void add_serve(CLI::App& ros, const std::shared_ptr<RosOptions>& options, int& exit_code) {
   CLI::App* command = ros.add_subcommand(
       "serve",
-      "Runs a robot and shows it to ROS: odometry, tf, pictures, disparity, scan, sonar, joints,\n"
+      "Runs a robot and shows it to ROS: odometry, tf, images, disparity, scan, sonar, joints,\n"
       "diagnostics. cmd_vel goes before the task while it is not older than 500 ms.\n"
       "Examples: striate ros serve --world config/worlds/corridor_a.yaml\n"
       "          striate ros serve config/tasks/corridor.yaml --robot config/robots/pioneer.yaml");
@@ -122,7 +123,7 @@ void add_run(CLI::App& ros, const std::shared_ptr<RosOptions>& options, int& exi
   CLI::App* command =
       ros.add_subcommand("run",
                          "Runs a task on a robot that is only reachable through ROS: stereo "
-                         "pictures and odometry come\n"
+                         "images and odometry come\n"
                          "as topics, cmd_vel goes out.\n"
                          "Example: striate ros run config/tasks/corridor.yaml --var \"way=20 m\"");
   command->add_option("task", options->run.mission.task, "the task script")->required();
@@ -134,19 +135,19 @@ void add_replay(CLI::App& ros, int& exit_code) {
   auto options = std::make_shared<BagOptions>();
   CLI::App* command = ros.add_subcommand(
       "replay",
-      "Looks at the stereo pictures of a ROS bag with the whole cycle; needs no ROS master.\n"
+      "Looks at the stereo images of a ROS bag with the whole cycle; needs no ROS master.\n"
       "Example: striate ros replay drive.bag --out out/drive --picture-every 10");
   command->add_option("bag", options->bag, "the bag")->required();
   command->add_option("--robot", options->robot,
                       "settings; the section 'ros' names topics where they are not found");
   CLI::Option* out = command
                          ->add_option("--out", options->out,
-                                      "folder for percepts.jsonl, one line a picture pair, and "
+                                      "folder for percepts.jsonl, one line an image pair, and "
                                       "pictures")
                          ->type_name("FOLDER");
   command
       ->add_option("--picture-every", options->picture_every,
-                   "an overview picture every so many picture pairs; 0: none")
+                   "an overview image every so many image pairs; 0: none")
       ->check(CLI::Range(0, 1000000))
       ->needs(out);
   command->callback([options, &exit_code] {
@@ -166,4 +167,4 @@ void add_ros_command(CLI::App& app, int& exit_code) {
   add_replay(*command, exit_code);
 }
 
-}  // namespace striate
+}  // namespace striate::app

@@ -1,22 +1,23 @@
 #include <memory>
 #include <string>
 
-#include "app/command_line/whole_number.hpp"
-#include "app/commands/commands.hpp"
-#include "app/commands/run_mission.hpp"
-#include "app/simulated_body.hpp"
+#include "striate/agent/simulated_body.hpp"
+#include "striate/app/command_line/whole_number.hpp"
+#include "striate/app/commands/commands.hpp"
+#include "striate/app/commands/run_mission.hpp"
 
-namespace striate {
+namespace striate::app {
 namespace {
 
 struct RunCommandOptions {
   RunOptions run;
-  WorldOptions world;
+  agent::WorldOptions world;
 };
 
 /// Without a world the robot is a real one.
-BodySource body_for(const RunCommandOptions& options) {
-  return options.world.world.empty() ? real_pioneer() : simulated_pioneer(options.world);
+agent::BodySource body_for(const RunCommandOptions& options) {
+  return options.world.world.empty() ? agent::real_pioneer()
+                                     : agent::simulated_pioneer(options.world);
 }
 
 }  // namespace
@@ -46,12 +47,12 @@ void add_run_command(CLI::App& app, int& exit_code) {
                     "sonar and laser do nothing: vision alone keeps the robot from touching");
   CLI::Option* pictures = command
                               ->add_option("--pictures", options->run.pictures,
-                                           "folder for overview pictures and the plan of the run")
+                                           "folder for overview images and the plan of the run")
                               ->needs(world)
                               ->type_name("FOLDER");
   command
       ->add_option("--picture-every", options->run.picture_every,
-                   "an overview picture every so many cycles; 0: none")
+                   "an overview image every so many cycles; 0: none")
       ->check(CLI::Range(0, 1000000))
       ->needs(pictures);
   command->add_option("--result", options->run.result, "JSON file for what came of it");
@@ -78,4 +79,4 @@ void add_run_command(CLI::App& app, int& exit_code) {
       [options, &exit_code] { exit_code = run_mission(options->run, body_for(*options)); });
 }
 
-}  // namespace striate
+}  // namespace striate::app

@@ -1,34 +1,34 @@
-#include "app/commands/run_mission.hpp"
+#include "striate/app/commands/run_mission.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "app/commands/run_report.hpp"
-#include "base/files.hpp"
-#include "app/given_variables.hpp"
-#include "app/interrupt.hpp"
-#include "app/memory/landmark_knowledge.hpp"
-#include "app/mission_memory.hpp"
-#include "app/mission_pictures.hpp"
-#include "app/recall/live_memory.hpp"
-#include "app/recording/mission_recorder.hpp"
-#include "app/simulated_body.hpp"
-#include "app/status_line.hpp"
+#include "striate/agent/given_variables.hpp"
+#include "striate/agent/landmark_knowledge.hpp"
+#include "striate/agent/mission_memory.hpp"
+#include "striate/agent/mission_pictures.hpp"
+#include "striate/agent/recall/live_memory.hpp"
+#include "striate/agent/recording/mission_recorder.hpp"
+#include "striate/agent/simulated_body.hpp"
+#include "striate/app/commands/run_report.hpp"
+#include "striate/app/interrupt.hpp"
+#include "striate/app/status_line.hpp"
+#include "striate/base/files.hpp"
 
-namespace striate {
+namespace striate::app {
 namespace {
 
-MissionOptions mission_options(const RunOptions& options) {
-  MissionOptions mission = options.mission;
-  mission.given = read_variables(options.given);
+agent::MissionOptions mission_options(const RunOptions& options) {
+  agent::MissionOptions mission = options.mission;
+  mission.given = agent::read_variables(options.given);
   mission.emergency_layer = !options.no_emergency;
-  if (!options.memory.empty()) mission.knowledge = read_mission_knowledge(options.memory);
+  if (!options.memory.empty()) mission.knowledge = agent::read_mission_knowledge(options.memory);
   return mission;
 }
 
 /// For the long-term memory: which session that was.
-std::string session_title(const Mission& mission, const MissionOptions& asked) {
+std::string session_title(const agent::Mission& mission, const agent::MissionOptions& asked) {
   if (mission.simulated() == nullptr) return fmt::format("{} with {}", asked.task, asked.robot);
   return fmt::format("{} in {}, seed {}", asked.task, mission.place(),
                      mission.simulated()->options().seed);
@@ -37,7 +37,7 @@ std::string session_title(const Mission& mission, const MissionOptions& asked) {
 /// All who watch a mission from outside.
 class Watchers {
  public:
-  Watchers(const RunOptions& options, Mission& mission, MissionRecorder& recorder)
+  Watchers(const RunOptions& options, agent::Mission& mission, agent::MissionRecorder& recorder)
       : options_(options),
         mission_(mission),
         recorder_(recorder),
@@ -61,7 +61,7 @@ class Watchers {
   }
 
   /// @return what was recorded, for the summary; "" without a recording
-  std::string finish(const RunResult& result) {
+  std::string finish(const agent::RunResult& result) {
     status_.clear();
     const std::string recorded = recorder_.finish();
     live_.finish();
@@ -72,11 +72,11 @@ class Watchers {
 
  private:
   const RunOptions& options_;
-  Mission& mission_;
-  MissionRecorder& recorder_;
-  MissionPictures pictures_;
-  MissionMemory memory_;
-  LiveMemory live_;
+  agent::Mission& mission_;
+  agent::MissionRecorder& recorder_;
+  agent::MissionPictures pictures_;
+  agent::MissionMemory memory_;
+  agent::LiveMemory live_;
   StatusLine status_;
   Speech speech_;
 };
@@ -91,31 +91,32 @@ void check_outputs(const RunOptions& options) {
   make_folder(options.pictures);
 }
 
-int run_mission(const RunOptions& options, const BodySource& body) {
+int run_mission(const RunOptions& options, const agent::BodySource& body) {
   check_outputs(options);
-  const MissionOptions asked = mission_options(options);
+  const agent::MissionOptions asked = mission_options(options);
   const Interrupt interrupt;
-  MissionRecorder recorder(options.record, options.memory);  // copies the memory as it is now
-  Mission mission(asked, body);
+  agent::MissionRecorder recorder(options.record,
+                                  options.memory);  // copies the memory as it is now
+  agent::Mission mission(asked, body);
   if (!options.quiet) fmt::print(stderr, "{}", mission.notices());
   Watchers watchers(options, mission, recorder);
   if (options.at_begin) options.at_begin(mission);
-  const RunResult result = mission.run([&](const Mission&) {
+  const agent::RunResult result = mission.run([&](const agent::Mission&) {
     watchers.take();
     return Interrupt::requested();
   });
   const std::string recorded = watchers.finish(result);
-  const std::string json = to_json(result).dump(2) + "\n";
+  const std::string json = agent::to_json(result).dump(2) + "\n";
   if (!options.result.empty()) write_file(options.result, json);
   if (options.json) {
     fmt::print("{}", json);
   } else if (!options.quiet) {
     print_summary(result);
     if (!options.result.empty()) fmt::print("  record            {}\n", options.result);
-    if (!options.pictures.empty()) fmt::print("  pictures          {}\n", options.pictures);
+    if (!options.pictures.empty()) fmt::print("  images          {}\n", options.pictures);
     if (!recorded.empty()) fmt::print("  recording         {}\n", recorded);
   }
-  return row_of(result.outcome).exit_code;
+  return agent::row_of(result.outcome).exit_code;
 }
 
-}  // namespace striate
+}  // namespace striate::app

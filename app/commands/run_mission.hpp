@@ -4,30 +4,30 @@
 #include <string>
 #include <vector>
 
-#include "app/mission.hpp"
+#include "striate/agent/mission.hpp"
 
-namespace striate {
+namespace striate::app {
 
 /// What `striate run` and `striate ros` are asked for, whatever the body.
 struct RunOptions {
-  MissionOptions mission;
+  agent::MissionOptions mission;
   std::vector<std::string> given;  ///< "way=20 m"
   bool no_emergency = false;
   std::string memory;     ///< long-term memory; empty: none
   std::string record;     ///< recording; empty: none
   std::string inspect;    ///< short-term memory once a second; empty: none
-  std::string pictures;   ///< folder for pictures of the run; empty: none
-  int picture_every = 0;  ///< an overview picture every so many cycles; 0: none
+  std::string pictures;   ///< folder for images of the run; empty: none
+  int picture_every = 0;  ///< an overview image every so many cycles; 0: none
   std::string result;     ///< JSON file; empty: none
   bool quiet = false;
   bool json = false;
   /// Who else looks at the run, and may drive: called once before it, and after each cycle.
-  std::function<void(Mission&)> at_begin;
-  std::function<void(const Mission&)> each_cycle;
+  std::function<void(agent::Mission&)> at_begin;
+  std::function<void(const agent::Mission&)> each_cycle;
 };
 
 /// Runs the task to its end with that body, watched by all that was asked for. @returns the exit
 /// code. @throws UserError, std::runtime_error before anything moves, see prepare()
-int run_mission(const RunOptions& options, const BodySource& body);
+int run_mission(const RunOptions& options, const agent::BodySource& body);
 
-}  // namespace striate
+}  // namespace striate::app

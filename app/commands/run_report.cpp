@@ -1,15 +1,15 @@
-#include "app/commands/run_report.hpp"
+#include "striate/app/commands/run_report.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-namespace striate {
+namespace striate::app {
 namespace {
 
-void print_collisions(const RunResult& result) {
+void print_collisions(const agent::RunResult& result) {
   fmt::print("  collisions        {}\n", result.collisions.size());
-  for (const CollisionRecord& hit : result.collisions) {
+  for (const agent::CollisionRecord& hit : result.collisions) {
     fmt::print("    {:.1f} s: {} ({}) at {:.1f} m, {:+.2f} m, light {:.2f}\n", hit.time_s, hit.hit,
                hit.moving ? "moving" : "still", hit.along_m, hit.left_m, hit.light_level);
   }
@@ -17,9 +17,9 @@ void print_collisions(const RunResult& result) {
 
 }  // namespace
 
-std::string status_text(const Mission& mission) {
-  const CognitiveCycle& cycle = mission.cycle();
-  const CycleTrace& trace = cycle.trace();
+std::string status_text(const agent::Mission& mission) {
+  const agent::CognitiveCycle& cycle = mission.cycle();
+  const agent::CycleTrace& trace = cycle.trace();
   std::string text = fmt::format("{:5.1f} s  {:5.1f} m  {:.2f} m/s  ", to_seconds(trace.senses.now),
                                  cycle.memory().progress_m(), trace.senses.odometry.forward_m_s);
   const bool real_time = mission.judge() == nullptr;
@@ -27,14 +27,14 @@ std::string status_text(const Mission& mission) {
   text += fmt::format("{:.1f} ms a cycle  ", mission.mean_cycle_ms());
   if (!real_time) text += fmt::format("{:4.1f} x real time  ", mission.realtime_factor());
   text += fmt::format("{}: {}", mission.executive().current_action(),
-                      doing_text(trace.wish.why, trace.limited_by));
+                      agent::doing_text(trace.wish.why, trace.limited_by));
   if (const std::string hold = mission.hold(); !hold.empty()) {
     text += fmt::format(" [gate: {}]", hold);
   }
   return text;
 }
 
-std::string Speech::news(const Mission& mission) {
+std::string Speech::news(const agent::Mission& mission) {
   if (mission.executive().current_action() != "say") {
     said_.clear();
     return {};
@@ -45,10 +45,10 @@ std::string Speech::news(const Mission& mission) {
   return said_;
 }
 
-void print_summary(const RunResult& result) {
+void print_summary(const agent::RunResult& result) {
   const std::string where = result.judged ? fmt::format("in {}, seed {}", result.world, result.seed)
                                           : "with the robot at " + result.world;
-  fmt::print("{} {}: {}\n", result.task, where, outcome_text(result));
+  fmt::print("{} {}: {}\n", result.task, where, agent::outcome_text(result));
   if (result.judged) fmt::print("  goal reached      {}\n", result.reached_goal ? "yes" : "no");
   fmt::print("  driven            {:.1f} m in {:.0f} s ({:.2f} m/s){}\n", result.distance_m,
              result.duration_s, result.distance_m / std::max(result.duration_s, 0.1),
@@ -59,11 +59,11 @@ void print_summary(const RunResult& result) {
   if (result.from_start_m) {
     fmt::print("  ends              {:.2f} m from the start\n", *result.from_start_m);
   }
-  fmt::print("  longest stand     {:.0f} s{}\n", result.longest_stand_s, stood_for(result));
+  fmt::print("  longest stand     {:.0f} s{}\n", result.longest_stand_s, agent::stood_for(result));
   if (result.judged) print_collisions(result);
   fmt::print("  thinking          {:.1f} ms a cycle{}\n", result.mean_cycle_ms,
              result.judged ? fmt::format(", {:.1f} times real time in all", result.realtime_factor)
                            : std::string());
 }
 
-}  // namespace striate
+}  // namespace striate::app

@@ -1,17 +1,17 @@
-#include "app/commands/serve.hpp"
+#include "striate/app/commands/serve.hpp"
 
 #include <fmt/format.h>
 
 #include <cstdio>
 
-#include "app/interrupt.hpp"
-#include "app/renderer_pictures.hpp"
-#include "app/robot_settings.hpp"
-#include "app/serving/robot_server.hpp"
-#include "base/user_error.hpp"
-#include "platform/simulator/world_reader.hpp"
+#include "striate/agent/robot_settings.hpp"
+#include "striate/app/interrupt.hpp"
+#include "striate/base/user_error.hpp"
+#include "striate/platform/served/robot_server.hpp"
+#include "striate/platform/simulator/render/renderer_images.hpp"
+#include "striate/platform/simulator/world_reader.hpp"
 
-namespace striate {
+namespace striate::app {
 namespace {
 
 constexpr const char* kGroup = "Serving";
@@ -41,7 +41,7 @@ void add_serve_options(CLI::App& command, ServeOptions& options) {
       ->check(CLI::IsMember({"p3dx", "p3dx-sh"}))
       ->group(group)
       ->capture_default_str();
-  LineFaults& faults = options.faults;
+  served::LineFaults& faults = options.faults;
   command.add_option("--loss", faults.loss, "share of packets that never come, 0 .. 1")
       ->check(CLI::Range(0.0, 1.0))
       ->group(group);
@@ -88,11 +88,12 @@ void ServeOptions::check() const {
 
 int serve(const ServeOptions& options) {
   const simulator::World world = simulator::load_world(options.world);
-  const RobotSettings settings = load_robot_settings(options.robot);
+  const agent::RobotSettings settings = agent::load_robot_settings(options.robot);
   pioneer::FirmwareSettings firmware;
   firmware.subclass = options.kind;
-  ServedPioneer robot(world, options.seed, settings.simulator, firmware, simulated_robot(settings));
-  ServeSettings serving;
+  served::ServedPioneer robot(world, options.seed, settings.simulator, firmware,
+                              agent::simulated_robot(settings));
+  served::ServeSettings serving;
   serving.address = options.address;
   serving.port = options.port;
   serving.pty = options.pty;
@@ -100,13 +101,13 @@ int serve(const ServeOptions& options) {
   serving.seed = options.seed;
   serving.devices = options.devices;
   serving.camera_latency_s = settings.simulator.sensors.camera_latency_s;
-  RendererPictures pictures(world, robot.plan(), settings.camera, options.seed);
+  simulator::RendererImages pictures(world, robot.plan(), settings.camera, options.seed);
   const Interrupt interrupt;
-  RobotServer server(robot, &pictures, serving, [&robot](const std::string& line) {
+  served::RobotServer server(robot, &pictures, serving, [&robot](const std::string& line) {
     fmt::print("{:8.2f} s  {}\n", to_seconds(robot.now()), line);
     std::fflush(stdout);
   });
-  const ServedUrls& urls = server.urls();
+  const served::ServedUrls& urls = server.urls();
   fmt::print("a {} in {}; Ctrl-C ends it\n  base    {}\n  turret  {}\n  laser   {}\n  camera  {}\n",
              options.kind, world.name, urls.base, urls.turret, urls.laser, urls.camera);
   std::fflush(stdout);
@@ -114,4 +115,4 @@ int serve(const ServeOptions& options) {
   return 0;
 }
 
-}  // namespace striate
+}  // namespace striate::app

@@ -3,25 +3,25 @@
 #include <memory>
 #include <string>
 
-#include "app/command_line/whole_number.hpp"
-#include "app/commands/commands.hpp"
-#include "app/commands/serve.hpp"
-#include "app/perceive_files.hpp"
-#include "app/place_text.hpp"
-#include "app/robot_settings.hpp"
-#include "base/user_error.hpp"
-#include "platform/simulator/render/renderer.hpp"
-#include "platform/simulator/world_reader.hpp"
+#include "striate/agent/robot_settings.hpp"
+#include "striate/app/command_line/whole_number.hpp"
+#include "striate/app/commands/commands.hpp"
+#include "striate/app/commands/serve.hpp"
+#include "striate/app/perceive_files.hpp"
+#include "striate/app/pose_text.hpp"
+#include "striate/base/user_error.hpp"
+#include "striate/platform/simulator/render/renderer.hpp"
+#include "striate/platform/simulator/world_reader.hpp"
 
-namespace striate {
+namespace striate::app {
 namespace {
 
-/// Exposure control adapts from picture to picture; after these it has settled.
-constexpr int kSettlingPictures = 12;
+/// Exposure control adapts from image to image; after these it has settled.
+constexpr int kSettlingImages = 12;
 
 struct SimOptions {
   std::string world;
-  std::string picture;
+  std::string image;
   std::string at;
   std::string robot;
   // Down, so that the floor is seen from 2.1 m on (1.2 m high, 33 deg of view)
@@ -34,11 +34,11 @@ struct SimOptions {
 };
 
 int render(const SimOptions& options) {
-  check_picture_writable(options.picture);
+  check_image_writable(options.image);
   const simulator::World world = simulator::load_world(options.world);
   const simulator::FloorPlan plan = simulator::build_floor_plan(world);
-  const Pose2 along = options.at.empty() ? world.start : parse_place(options.at);
-  RobotSettings settings = load_robot_settings(options.robot);
+  const Pose2 along = options.at.empty() ? world.start : parse_pose(options.at);
+  agent::RobotSettings settings = agent::load_robot_settings(options.robot);
   if (options.width_px > 0) settings.camera.width_px = options.width_px;
 
   simulator::SceneState scene;
@@ -54,15 +54,14 @@ int render(const SimOptions& options) {
   }
   simulator::Renderer renderer(world, plan, settings.camera, options.seed);
   StereoFrame frame;
-  for (int i = 0; i < kSettlingPictures; ++i) {
+  for (int i = 0; i < kSettlingImages; ++i) {
     scene.frame = static_cast<std::uint64_t>(i);
-    frame = renderer.picture(scene);
+    frame = renderer.image(scene);
   }
-  const cv::Mat3b& picture = options.right_eye ? frame.right : frame.left;
-  write_picture(options.picture, picture);
-  fmt::print("{}: {} x {} px, at {:.2f} m, {:.2f} m, {:.1f} deg of {}\n", options.picture,
-             picture.cols, picture.rows, along.x_m, along.y_m, degrees(along.heading_rad),
-             world.name);
+  const cv::Mat3b& image = options.right_eye ? frame.right : frame.left;
+  write_picture(options.image, image);
+  fmt::print("{}: {} x {} px, at {:.2f} m, {:.2f} m, {:.1f} deg of {}\n", options.image, image.cols,
+             image.rows, along.x_m, along.y_m, degrees(along.heading_rad), world.name);
   return 0;
 }
 
@@ -78,32 +77,32 @@ void add_sim_command(CLI::App& app, int& exit_code) {
                          "--at \"12 m, 0.2 m, 5 deg\"\n"
                          "          striate sim config/worlds/corridor_a.yaml --serve");
   command->add_option("world", options->world, "the world file")->required();
-  CLI::Option* picture = command->add_option("--picture", options->picture, "PNG to write");
+  CLI::Option* image = command->add_option("--picture", options->image, "PNG to write");
   command
       ->add_option("--at", options->at,
                    "along, left of the middle, heading; without it the world's start")
       ->type_name("PLACE")
-      ->needs(picture);
+      ->needs(image);
   command->add_option("--robot", options->robot, "settings of the camera");
   command->add_option("--tilt-deg", options->tilt_deg, "of the head, up positive")
-      ->needs(picture)
+      ->needs(image)
       ->check(CLI::Range(-60.0, 60.0))
       ->capture_default_str();
   command->add_option("--pan-deg", options->pan_deg, "of the head, left positive")
-      ->needs(picture)
+      ->needs(image)
       ->check(CLI::Range(-120.0, 120.0))
       ->capture_default_str();
-  command->add_option("--width-px", options->width_px, "of the picture; 4:3")
-      ->needs(picture)
+  command->add_option("--width-px", options->width_px, "of the image; 4:3")
+      ->needs(image)
       ->check(CLI::Range(32, 2048));
   command->add_option("--seed", options->seed, "of the camera's noise")
       ->check(whole_number_from(0))
       ->capture_default_str();
-  command->add_flag("--right", options->right_eye, "the right eye instead")->needs(picture);
+  command->add_flag("--right", options->right_eye, "the right eye instead")->needs(image);
   add_serve_options(*command, options->serve);
   command->callback([options, &exit_code] {
     options->serve.check();
-    if (options->serve.serves() && !options->picture.empty()) {
+    if (options->serve.serves() && !options->image.empty()) {
       throw UserError("striate sim: --picture or --serve, not both");
     }
     if (options->serve.serves()) {
@@ -111,7 +110,7 @@ void add_sim_command(CLI::App& app, int& exit_code) {
       options->serve.robot = options->robot;
       options->serve.seed = options->seed;
       exit_code = serve(options->serve);
-    } else if (options->picture.empty()) {
+    } else if (options->image.empty()) {
       throw UserError("striate sim: say --picture FILE.png or --serve");
     } else {
       exit_code = render(*options);
@@ -119,4 +118,4 @@ void add_sim_command(CLI::App& app, int& exit_code) {
   });
 }
 
-}  // namespace striate
+}  // namespace striate::app

@@ -3,12 +3,12 @@
 #include <memory>
 #include <string>
 
-#include "app/commands/action_list.hpp"
-#include "app/commands/commands.hpp"
-#include "base/files.hpp"
-#include "tasks/task_reader.hpp"
+#include "striate/app/commands/action_list.hpp"
+#include "striate/app/commands/commands.hpp"
+#include "striate/base/files.hpp"
+#include "striate/tasks/task_reader.hpp"
 
-namespace striate {
+namespace striate::app {
 namespace {
 
 struct ShowOptions {
@@ -20,11 +20,11 @@ struct ShowOptions {
 int show(const ShowOptions& options) {
   check_writable(options.svg);
   check_writable(options.xml);
-  const Task task = check_task(options.file, RobotDescription{});
+  const tasks::Task task = tasks::check_task(options.file, RobotDescription{});
   fmt::print(stderr, "{}", task.notices);
-  if (!options.svg.empty()) write_file(options.svg, svg_tree(task.outline));
-  if (!options.xml.empty()) write_file(options.xml, xml_tree(task.outline));
-  if (options.svg.empty() && options.xml.empty()) fmt::print("{}", text_tree(task.outline));
+  if (!options.svg.empty()) write_file(options.svg, tasks::svg_tree(task.outline));
+  if (!options.xml.empty()) write_file(options.xml, tasks::xml_tree(task.outline));
+  if (options.svg.empty() && options.xml.empty()) fmt::print("{}", tasks::text_tree(task.outline));
   return 0;
 }
 
@@ -32,7 +32,7 @@ void add_show(CLI::App& command, int& exit_code) {
   auto options = std::make_shared<ShowOptions>();
   CLI::App* show_command = command.add_subcommand("show", "draws the tree of a task script");
   show_command->add_option("file", options->file, "the task script")->required();
-  show_command->add_option("--svg", options->svg, "write a picture instead");
+  show_command->add_option("--svg", options->svg, "write an image instead");
   show_command->add_option("--xml", options->xml,
                            "write the XML of BehaviorTree.CPP 4 instead, for its editors");
   show_command->callback([options, &exit_code] { exit_code = show(*options); });
@@ -64,4 +64,4 @@ void add_task_command(CLI::App& app, int& exit_code) {
   add_actions(*command, exit_code);
 }
 
-}  // namespace striate
+}  // namespace striate::app

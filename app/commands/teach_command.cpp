@@ -6,25 +6,25 @@
 #include <iostream>
 #include <memory>
 
-#include "app/command_line/whole_number.hpp"
-#include "app/commands/commands.hpp"
-#include "base/files.hpp"
-#include "app/interrupt.hpp"
-#include "app/memory/memory_json.hpp"
-#include "app/memory/open_memory.hpp"
-#include "app/memory/picture_view.hpp"
-#include "app/place_text.hpp"
-#include "app/read_picture.hpp"
-#include "app/robot_settings.hpp"
-#include "app/simulated_body.hpp"
-#include "app/teaching/keep_taught.hpp"
-#include "app/teaching/live_teaching.hpp"
-#include "app/teaching/recorded_teaching.hpp"
-#include "base/user_error.hpp"
-#include "memory/long_term/memory_writer.hpp"
-#include "memory/long_term/teaching.hpp"
+#include "striate/agent/memory_json.hpp"
+#include "striate/agent/open_memory.hpp"
+#include "striate/agent/robot_settings.hpp"
+#include "striate/agent/simulated_body.hpp"
+#include "striate/agent/teaching/image_view.hpp"
+#include "striate/agent/teaching/keep_taught.hpp"
+#include "striate/agent/teaching/live_teaching.hpp"
+#include "striate/agent/teaching/recorded_teaching.hpp"
+#include "striate/app/command_line/whole_number.hpp"
+#include "striate/app/commands/commands.hpp"
+#include "striate/app/interrupt.hpp"
+#include "striate/app/pose_text.hpp"
+#include "striate/base/files.hpp"
+#include "striate/base/user_error.hpp"
+#include "striate/evaluation/images/read_image.hpp"
+#include "striate/memory/long_term/memory_writer.hpp"
+#include "striate/memory/long_term/teaching.hpp"
 
-namespace striate {
+namespace striate::app {
 namespace {
 
 struct TeachOptions {
@@ -33,7 +33,7 @@ struct TeachOptions {
   std::string memory = "home.db";
   std::string robot;              ///< settings file; empty: the defaults
   std::string task;               ///< with a world: to look at a thing there ...
-  WorldOptions live;              ///< ... without them it learns from pictures
+  agent::WorldOptions live;       ///< ... without them it learns from images
   std::string at;                 ///< where the robot starts; empty: the world's start
   std::string from;               ///< a recording to learn from
   std::vector<std::string> when;  ///< times of it; none: where the robot was taught then
@@ -42,8 +42,8 @@ struct TeachOptions {
   bool json = false;
 };
 
-/// Files as they are; of a folder all pictures, by name.
-std::vector<std::string> picture_files(const std::vector<std::string>& given) {
+/// Files as they are; of a folder all images, by name.
+std::vector<std::string> image_files(const std::vector<std::string>& given) {
   // What OpenCV reads here
   static const std::vector<std::string> kEndings = {".png", ".jpg", ".jpeg", ".bmp",
                                                     ".ppm", ".pgm", ".tif",  ".tiff"};
@@ -63,7 +63,7 @@ std::vector<std::string> picture_files(const std::vector<std::string>& given) {
       }
     }
     if (inside.empty()) {
-      throw UserError(fmt::format("{}: no picture in it (png, jpg, bmp, ppm, pgm, tif)", one));
+      throw UserError(fmt::format("{}: no image in it (png, jpg, bmp, ppm, pgm, tif)", one));
     }
     std::sort(inside.begin(), inside.end());
     files.insert(files.end(), inside.begin(), inside.end());
@@ -71,14 +71,14 @@ std::vector<std::string> picture_files(const std::vector<std::string>& given) {
   return files;
 }
 
-void print_taught(const TeachOptions& options, const Taught& taught) {
+void print_taught(const TeachOptions& options, const memory::Taught& taught) {
   if (options.json) {
-    fmt::print("{}", print_json({{"name", options.name},
-                                 {"new", taught.is_new},
-                                 {"restored", taught.restored},
-                                 {"views_added", taught.added},
-                                 {"views_merged", taught.merged},
-                                 {"remarks", taught.remarks}}));
+    fmt::print("{}", agent::print_json({{"name", options.name},
+                                        {"new", taught.is_new},
+                                        {"restored", taught.restored},
+                                        {"views_added", taught.added},
+                                        {"views_merged", taught.merged},
+                                        {"remarks", taught.remarks}}));
     return;
   }
   fmt::print("{}: {}, {} view{} added{}; kept in {}\n", options.name,
@@ -91,19 +91,20 @@ void print_taught(const TeachOptions& options, const Taught& taught) {
   for (const std::string& remark : taught.remarks) fmt::print("  {}\n", remark);
 }
 
-void teach_pictures(const TeachOptions& options) {
-  check_landmark_name(options.name);
-  const LongTermSettings settings = load_robot_settings(options.robot).long_term_memory;
-  std::vector<StoredView> views;
-  for (const std::string& file : picture_files(options.images)) {
-    views.push_back(view_of_picture(read_any_picture(file), settings));
+void teach_images(const TeachOptions& options) {
+  memory::check_landmark_name(options.name);
+  const memory::LongTermSettings settings =
+      agent::load_robot_settings(options.robot).long_term_memory;
+  std::vector<memory::StoredView> views;
+  for (const std::string& file : image_files(options.images)) {
+    views.push_back(agent::view_of_image(evaluation::read_any_image(file), settings));
   }
-  print_taught(options, keep_taught(options.memory, options.name, views, settings));
+  print_taught(options, agent::keep_taught(options.memory, options.name, views, settings));
 }
 
-void tell_views(const LiveViews& seen) {
+void tell_views(const agent::LiveViews& seen) {
   for (std::size_t k = 0; k < seen.views.size(); ++k) {
-    const StoredView& view = seen.views[k];
+    const memory::StoredView& view = seen.views[k];
     fmt::print(stderr, "view {}: {:.0f} x {:.0f} px, {} keypoints, {:.2f} m away\n", k + 1,
                view.width_px, view.height_px, view.keypoints.size(), view.range_m.value_or(0.0));
   }
@@ -121,60 +122,64 @@ bool confirmed(const TeachOptions& options) {
   return std::getline(std::cin, answer) && (answer == "y" || answer == "yes");
 }
 
-LiveViews views_of_a_run(const TeachOptions& given) {
+agent::LiveViews views_of_a_run(const TeachOptions& given) {
   TeachOptions options = given;
-  if (!options.at.empty()) options.live.start = parse_place(options.at);
-  MissionOptions mission;
+  if (!options.at.empty()) options.live.start = parse_pose(options.at);
+  agent::MissionOptions mission;
   mission.task = options.task;
   mission.robot = options.robot;
   const Interrupt interrupt;
-  return take_views(mission, simulated_pioneer(options.live),
-                    [](const Mission&) { return Interrupt::requested(); });
+  return agent::take_views(mission, agent::simulated_pioneer(options.live),
+                           [](const agent::Mission&) { return Interrupt::requested(); });
 }
 
-LiveViews views_of_a_recording(const TeachOptions& options) {
-  RecordedTeaching recorded{options.from, options.robot, {}};
+agent::LiveViews views_of_a_recording(const TeachOptions& options) {
+  agent::RecordedTeaching recorded{options.from, options.robot, {}};
   for (const std::string& when : options.when)
     recorded.times_s.push_back(parse_time_s("--when", when));
   std::sort(recorded.times_s.begin(), recorded.times_s.end());
-  return take_views(recorded);
+  return agent::take_views(recorded);
 }
 
 /// What a robot sees or saw. @return exit code
 int teach_seen(const TeachOptions& options) {
-  check_landmark_name(options.name);
+  memory::check_landmark_name(options.name);
   if (!options.yes && isatty(STDIN_FILENO) == 0) {
     throw UserError("nobody can be asked whether it is to be kept: say --yes");
   }
-  const LongTermSettings settings = load_robot_settings(options.robot).long_term_memory;
-  const LiveViews seen =
+  const memory::LongTermSettings settings =
+      agent::load_robot_settings(options.robot).long_term_memory;
+  const agent::LiveViews seen =
       options.from.empty() ? views_of_a_run(options) : views_of_a_recording(options);
   tell_views(seen);
   std::vector<std::string> remarks;
-  const std::vector<StoredView> views = with_structure(seen.views, settings, remarks);
+  const std::vector<memory::StoredView> views =
+      agent::with_structure(seen.views, settings, remarks);
   for (const std::string& remark : remarks) fmt::print(stderr, "{}\n", remark);
-  if (seen.result.outcome != RunOutcome::success || views.empty()) {
-    const bool poor = seen.result.outcome == RunOutcome::success;
+  if (seen.result.outcome != agent::RunOutcome::success || views.empty()) {
+    const bool poor = seen.result.outcome == agent::RunOutcome::success;
     fmt::print(stderr, "nothing was kept: {}\n",
-               poor ? "too little structure to be recognised" : outcome_text(seen.result));
-    return poor ? 1 : row_of(seen.result.outcome).exit_code;
+               poor ? "too little structure to be recognised" : agent::outcome_text(seen.result));
+    return poor ? 1 : agent::row_of(seen.result.outcome).exit_code;
   }
   if (!confirmed(options)) {
     fmt::print(stderr, "nothing was kept\n");
     return 1;
   }
-  print_taught(options, keep_taught(options.memory, options.name, views, settings));
+  print_taught(options, agent::keep_taught(options.memory, options.name, views, settings));
   return 0;
 }
 
 void undo(const TeachOptions& options) {
-  MemoryFile(options.memory, memory_options(Access::read, "striate teach"));  // must be there
-  MemoryWriter writer(options.memory, memory_options(Access::session, "striate teach"));
-  print_notices(writer.notices());
+  memory::MemoryFile(options.memory, agent::memory_options(memory::Access::read,
+                                                           "striate teach"));  // must be there
+  memory::MemoryWriter writer(options.memory,
+                              agent::memory_options(memory::Access::session, "striate teach"));
+  agent::print_notices(writer.notices());
   std::string done;
-  writer.commit([&](MemoryTables& tables) { done = undo_teaching(tables); });
+  writer.commit([&](memory::MemoryTables& tables) { done = memory::undo_teaching(tables); });
   if (options.json) {
-    fmt::print("{}", print_json({{"done", done}}));
+    fmt::print("{}", agent::print_json({{"done", done}}));
   } else {
     fmt::print("{}: {}\n", options.memory, done);
   }
@@ -199,13 +204,13 @@ int run(const TeachOptions& options) {
       (live ? 1 : 0) + (options.from.empty() ? 0 : 1) + (options.images.empty() ? 0 : 1);
   if (options.name.empty() || sources != 1) {
     throw UserError(
-        "what is to be learned, and from which picture?\n"
+        "what is to be learned, and from which image?\n"
         "    striate teach NAME --image PICTURE --memory home.db\n"
         "    striate teach NAME --from RECORDING --when \"12 s\" --memory home.db\n"
         "    striate teach NAME --task config/tasks/teach.yaml --world WORLD --memory home.db");
   }
   if (options.images.empty()) return teach_seen(options);
-  teach_pictures(options);
+  teach_images(options);
   return 0;
 }
 
@@ -215,7 +220,7 @@ void add_teach_command(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<TeachOptions>();
   CLI::App* command = app.add_subcommand(
       "teach",
-      "Teaches a landmark by its name, from pictures of it, by what the simulated robot looks at "
+      "Teaches a landmark by its name, from images of it, by what the simulated robot looks at "
       "or by\n"
       "what a recording shows; it is on the disk when this ends.\n"
       "Examples: striate teach book --image cover.png --image back.png --memory home.db\n"
@@ -227,7 +232,7 @@ void add_teach_command(CLI::App& app, int& exit_code) {
       ->type_name("NAME");
   command
       ->add_option("--image", options->images,
-                   "a picture that shows the thing and little else, or a folder of such; "
+                   "an image that shows the thing and little else, or a folder of such; "
                    "several: several sides")
       ->allow_extra_args(false);
   command->add_option("--task", options->task,
@@ -264,4 +269,4 @@ void add_teach_command(CLI::App& app, int& exit_code) {
   command->callback([options, &exit_code] { exit_code = run(*options); });
 }
 
-}  // namespace striate
+}  // namespace striate::app

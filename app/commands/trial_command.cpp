@@ -3,15 +3,15 @@
 #include <cstdio>
 #include <memory>
 
-#include "app/command_line/whole_number.hpp"
-#include "app/commands/commands.hpp"
-#include "base/files.hpp"
-#include "app/objects/object_trial.hpp"
-#include "app/trial/trial.hpp"
-#include "app/trial/trial_merge.hpp"
-#include "base/user_error.hpp"
+#include "striate/app/command_line/whole_number.hpp"
+#include "striate/app/commands/commands.hpp"
+#include "striate/app/trial/object_trial.hpp"
+#include "striate/app/trial/trial.hpp"
+#include "striate/app/trial/trial_merge.hpp"
+#include "striate/base/files.hpp"
+#include "striate/base/user_error.hpp"
 
-namespace striate {
+namespace striate::app {
 namespace {
 
 /// "2/3" as shard 2 of 3.
@@ -140,4 +140,4 @@ void add_trial_command(CLI::App& app, int& exit_code) {
   });
 }
 
-}  // namespace striate
+}  // namespace striate::app

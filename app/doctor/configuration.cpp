@@ -1,18 +1,18 @@
-#include "app/doctor/configuration.hpp"
+#include "striate/app/doctor/configuration.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <functional>
 
-#include "app/memory/open_memory.hpp"
-#include "app/robot_settings.hpp"
-#include "base/user_error.hpp"
-#include "memory/long_term/damage.hpp"
-#include "platform/simulator/world_reader.hpp"
-#include "tasks/task_reader.hpp"
+#include "striate/agent/open_memory.hpp"
+#include "striate/agent/robot_settings.hpp"
+#include "striate/base/user_error.hpp"
+#include "striate/memory/long_term/damage.hpp"
+#include "striate/platform/simulator/world_reader.hpp"
+#include "striate/tasks/task_reader.hpp"
 
-namespace striate {
+namespace striate::app {
 namespace {
 
 namespace fs = std::filesystem;
@@ -60,8 +60,8 @@ Findings look_at_configuration(const fs::path& folder) {
   Findings findings;
   const Kind kinds[] = {
       {"worlds", [](const std::string& file) { (void)simulator::load_world(file); }},
-      {"tasks", [](const std::string& file) { (void)check_task(file, RobotDescription{}); }},
-      {"robots", [](const std::string& file) { (void)load_robot_settings(file); }},
+      {"tasks", [](const std::string& file) { (void)tasks::check_task(file, RobotDescription{}); }},
+      {"robots", [](const std::string& file) { (void)agent::load_robot_settings(file); }},
   };
   for (const Kind& kind : kinds) look_at_folder(folder, kind, findings);
   return findings;
@@ -74,10 +74,12 @@ Finding look_at_memory(const std::string& file) {
   try {
     std::vector<std::string> damage;
     std::int64_t landmarks = 0;
-    with_memory(file, Access::read, "checking it", [&](MemoryTables&, MemoryFile& opened) {
-      damage = find_damage(opened.database());
-      landmarks = opened.database().execAndGet("SELECT count(*) FROM landmark").getInt64();
-    });
+    agent::with_memory(
+        file, memory::Access::read, "checking it",
+        [&](memory::MemoryTables&, memory::MemoryFile& opened) {
+          damage = memory::find_damage(opened.database());
+          landmarks = opened.database().execAndGet("SELECT count(*) FROM landmark").getInt64();
+        });
     if (damage.empty()) return {Grade::good, file, fmt::format("{} landmarks", landmarks), {}};
     return {Grade::wrong, file, damage.front(),
             damage.size() > 1
@@ -88,4 +90,4 @@ Finding look_at_memory(const std::string& file) {
   }
 }
 
-}  // namespace striate
+}  // namespace striate::app

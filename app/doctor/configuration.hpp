@@ -2,9 +2,9 @@
 
 #include <filesystem>
 
-#include "app/doctor/finding.hpp"
+#include "striate/app/doctor/finding.hpp"
 
-namespace striate {
+namespace striate::app {
 
 /// Every world, task and robot file below a folder of configuration. Each mistake is a finding.
 /// @param folder with worlds/, tasks/ and robots/
@@ -13,4 +13,4 @@ namespace striate {
 /// The long-term memory in a file: does it open, and is it whole?
 [[nodiscard]] Finding look_at_memory(const std::string& file);
 
-}  // namespace striate
+}  // namespace striate::app

@@ -1,4 +1,4 @@
-#include "app/doctor/devices.hpp"
+#include "striate/app/doctor/devices.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -7,13 +7,13 @@
 #include <fstream>
 #include <thread>
 
-#include "base/user_error.hpp"
-#include "platform/pioneer/camera/frame_source.hpp"
-#include "platform/pioneer/camera/rectifier.hpp"
-#include "platform/pioneer/steady_clock.hpp"
-#include "platform/pioneer/transport.hpp"
+#include "striate/base/user_error.hpp"
+#include "striate/platform/pioneer/camera/frame_source.hpp"
+#include "striate/platform/pioneer/camera/rectifier.hpp"
+#include "striate/platform/pioneer/steady_clock.hpp"
+#include "striate/platform/pioneer/transport.hpp"
 
-namespace striate {
+namespace striate::app {
 namespace {
 
 namespace fs = std::filesystem;
@@ -87,7 +87,7 @@ Finding look_at_video(const std::string& url) {
       return {
           Grade::good, about, fmt::format("gives pairs of {} x {} px", left.cols, left.rows), {}};
     }
-    return {Grade::wrong, about, "gives no picture", "look at the cable, or give another device"};
+    return {Grade::wrong, about, "gives no image", "look at the cable, or give another device"};
   } catch (const std::exception& error) {
     return {Grade::wrong, about, error.what(), "correct the place in the robot file"};
   }
@@ -125,7 +125,7 @@ Findings look_at_devices(const DeviceFolders& folders) {
   }
   if (cameras.empty()) {
     findings.push_back({Grade::note, "cameras", "none is there",
-                        "only pictures from the network or a file can be seen"});
+                        "only images from the network or a file can be seen"});
   }
   for (const fs::path& bus : named(folders.dev, {"fw"})) {
     findings.push_back(permission(bus, "FireWire", "video"));
@@ -158,4 +158,4 @@ Findings look_at_places(const pioneer::PioneerSettings& settings) {
   return findings;
 }
 
-}  // namespace striate
+}  // namespace striate::app

@@ -2,10 +2,10 @@
 
 #include <filesystem>
 
-#include "app/doctor/finding.hpp"
-#include "platform/pioneer/pioneer_settings.hpp"
+#include "striate/app/doctor/finding.hpp"
+#include "striate/platform/pioneer/pioneer_settings.hpp"
 
-namespace striate {
+namespace striate::app {
 
 /// Where the system shows its devices; tests bring folders of their own.
 struct DeviceFolders {
@@ -19,4 +19,4 @@ struct DeviceFolders {
 /// The places that a robot file names: does anything answer there?
 [[nodiscard]] Findings look_at_places(const pioneer::PioneerSettings& settings);
 
-}  // namespace striate
+}  // namespace striate::app

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-namespace striate {
+namespace striate::app {
 
 /// One thing that `striate doctor` looked at.
 struct Finding {
@@ -27,4 +27,4 @@ using Findings = std::vector<Finding>;
   return false;
 }
 
-}  // namespace striate
+}  // namespace striate::app

@@ -1,4 +1,4 @@
-#include "app/doctor/machine.hpp"
+#include "striate/app/doctor/machine.hpp"
 
 #include <fmt/format.h>
 #include <hwy/targets.h>
@@ -7,7 +7,7 @@
 #include <fstream>
 #include <thread>
 
-namespace striate {
+namespace striate::app {
 namespace {
 
 using Grade = Finding::Grade;
@@ -73,4 +73,4 @@ Findings look_at_machine(const Machine& machine) {
   return findings;
 }
 
-}  // namespace striate
+}  // namespace striate::app

@@ -2,9 +2,9 @@
 
 #include <cstdint>
 
-#include "app/doctor/finding.hpp"
+#include "striate/app/doctor/finding.hpp"
 
-namespace striate {
+namespace striate::app {
 
 /// What a machine has; looked up by this_machine(), made up by tests.
 struct Machine {
@@ -17,4 +17,4 @@ struct Machine {
 [[nodiscard]] Machine this_machine();
 [[nodiscard]] Findings look_at_machine(const Machine& machine);
 
-}  // namespace striate
+}  // namespace striate::app

@@ -1,9 +1,9 @@
-#include "app/memory/base64.hpp"
+#include "striate/app/memory/base64.hpp"
 
 #include <stdexcept>
 #include <string_view>
 
-namespace striate {
+namespace striate::app {
 namespace {
 
 /// RFC 4648, section 4
@@ -46,4 +46,4 @@ std::vector<std::uint8_t> from_base64(const std::string& text) {
   return bytes;
 }
 
-}  // namespace striate
+}  // namespace striate::app

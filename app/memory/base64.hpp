@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-namespace striate {
+namespace striate::app {
 
 [[nodiscard]] std::string to_base64(std::span<const std::uint8_t> bytes);
 /// @throws std::invalid_argument for letters that are no base64.
 [[nodiscard]] std::vector<std::uint8_t> from_base64(const std::string& text);
 
-}  // namespace striate
+}  // namespace striate::app

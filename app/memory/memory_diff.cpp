@@ -1,33 +1,34 @@
-#include "app/memory/memory_diff.hpp"
+#include "striate/app/memory/memory_diff.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <map>
 
-#include "memory/long_term/view_codec.hpp"
+#include "striate/memory/long_term/view_codec.hpp"
 
-namespace striate {
+namespace striate::app {
 namespace {
 
-std::vector<std::uint32_t> contents(MemoryTables& tables, std::int64_t landmark) {
+std::vector<std::uint32_t> contents(memory::MemoryTables& tables, std::int64_t landmark) {
   std::vector<std::uint32_t> sums;
-  for (const StoredView& view : tables.views.of(landmark)) {
-    sums.push_back(crc32c(
-        view.picture, checksum_of_view(view.width_px, view.height_px, bytes_of(view.descriptors),
-                                       bytes_of(view.keypoints))));
+  for (const memory::StoredView& view : tables.views.of(landmark)) {
+    sums.push_back(crc32c(view.image, memory::checksum_of_view(view.width_px, view.height_px,
+                                                               memory::bytes_of(view.descriptors),
+                                                               memory::bytes_of(view.keypoints))));
   }
   std::sort(sums.begin(), sums.end());
   return sums;
 }
 
-bool same_place(const std::optional<MapPosition>& a, const std::optional<MapPosition>& b) {
+bool same_place(const std::optional<memory::MapPosition>& a,
+                const std::optional<memory::MapPosition>& b) {
   if (!a || !b) return a.has_value() == b.has_value();
   return a->x_m == b->x_m && a->y_m == b->y_m && a->var_x_m2 == b->var_x_m2 &&
          a->cov_xy_m2 == b->cov_xy_m2 && a->var_y_m2 == b->var_y_m2;
 }
 
-std::string what_differs(const Landmark& a, const Landmark& b, bool same_views) {
+std::string what_differs(const memory::Landmark& a, const memory::Landmark& b, bool same_views) {
   std::string text;
   const auto add = [&](bool differs, const std::string& what) {
     if (differs) text += (text.empty() ? "" : ", ") + what;
@@ -48,10 +49,13 @@ std::string what_differs(const Landmark& a, const Landmark& b, bool same_views) 
 
 }  // namespace
 
-std::vector<Difference> differences(MemoryTables& a, MemoryTables& b) {
-  std::map<std::string, std::pair<std::optional<Landmark>, std::optional<Landmark>>> both;
-  for (const Landmark& landmark : a.landmarks.all(true)) both[landmark.name].first = landmark;
-  for (const Landmark& landmark : b.landmarks.all(true)) both[landmark.name].second = landmark;
+std::vector<Difference> differences(memory::MemoryTables& a, memory::MemoryTables& b) {
+  std::map<std::string, std::pair<std::optional<memory::Landmark>, std::optional<memory::Landmark>>>
+      both;
+  for (const memory::Landmark& landmark : a.landmarks.all(true))
+    both[landmark.name].first = landmark;
+  for (const memory::Landmark& landmark : b.landmarks.all(true))
+    both[landmark.name].second = landmark;
   std::vector<Difference> found;
   for (const auto& [name, pair] : both) {
     const auto& [in_a, in_b] = pair;
@@ -66,4 +70,4 @@ std::vector<Difference> differences(MemoryTables& a, MemoryTables& b) {
   return found;
 }
 
-}  // namespace striate
+}  // namespace striate::app

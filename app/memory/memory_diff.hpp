@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "memory/long_term/memory_tables.hpp"
+#include "striate/memory/long_term/memory_tables.hpp"
 
-namespace striate {
+namespace striate::app {
 
 /// One landmark that two memories do not know alike.
 struct Difference {
@@ -14,6 +14,6 @@ struct Difference {
 };
 
 /// Compares landmarks by name: kind, strength, uses, position, state, and the views by content.
-[[nodiscard]] std::vector<Difference> differences(MemoryTables& a, MemoryTables& b);
+[[nodiscard]] std::vector<Difference> differences(memory::MemoryTables& a, memory::MemoryTables& b);
 
-}  // namespace striate
+}  // namespace striate::app

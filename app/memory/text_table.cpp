@@ -1,4 +1,4 @@
-#include "app/memory/text_table.hpp"
+#include "striate/app/memory/text_table.hpp"
 
 #include <sys/ioctl.h>
 #include <unistd.h>
@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <numeric>
 
-namespace striate {
+namespace striate::app {
 namespace {
 
 constexpr int kGap = 2;        // blanks between columns
@@ -114,4 +114,4 @@ std::string TextTable::print(int width) const {
   return text;
 }
 
-}  // namespace striate
+}  // namespace striate::app

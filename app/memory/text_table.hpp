@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-namespace striate {
+namespace striate::app {
 
 /// Columns of the terminal, or 100 where output goes elsewhere; COLUMNS in the environment wins.
 [[nodiscard]] int terminal_width();
@@ -27,4 +27,4 @@ class TextTable {
   std::vector<std::vector<std::string>> rows_;  ///< the first are the heads
 };
 
-}  // namespace striate
+}  // namespace striate::app

@@ -1,12 +1,13 @@
+#include "striate/app/recall/print_memory_state.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "app/memory/text_table.hpp"
-#include "app/recall/memory_state.hpp"
-#include "base/geometry.hpp"
+#include "striate/app/memory/text_table.hpp"
+#include "striate/base/geometry.hpp"
 
-namespace striate {
+namespace striate::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -27,7 +28,7 @@ std::string seconds(const Json& value) {
 
 std::string head(const Json& s) {
   const Json& pose = s.at("pose");
-  const Json& picture = s.at("picture");
+  const Json& image = s.at("picture");
   const Json& corridor = s.at("corridor");
   std::string text = fmt::format("cycle {}, {:.1f} s, {}: {}\n", s.at("cycle").get<std::uint64_t>(),
                                  s.at("time_s").get<double>(), s.at("action").get<std::string>(),
@@ -36,10 +37,10 @@ std::string head(const Json& s) {
                       metres(pose.at("x_m")), metres(pose.at("y_m")), angle(pose.at("heading_rad")),
                       pose.at("forward_m_s").get<double>(), angle(pose.at("turn_rad_s")),
                       angle(pose.at("pan_rad")), angle(pose.at("tilt_rad")));
-  text += fmt::format("  picture   {} old, light {:.2f}, noise {:.1f}, {:.0f} % of it known\n",
-                      seconds(picture.at("age_s")), picture.at("light_level").get<double>(),
-                      picture.at("noise_level").get<double>(),
-                      100.0 * picture.at("seen_share").get<double>());
+  text += fmt::format("  image   {} old, light {:.2f}, noise {:.1f}, {:.0f} % of it known\n",
+                      seconds(image.at("age_s")), image.at("light_level").get<double>(),
+                      image.at("noise_level").get<double>(),
+                      100.0 * image.at("seen_share").get<double>());
   text += fmt::format("  corridor  axis at {}, width {}{}, walls {} left, {} right; {} along\n",
                       angle(corridor.at("axis_rad")), metres(corridor.at("width_m")),
                       corridor.at("width_known").get<bool>() ? "" : " (assumed)",
@@ -135,4 +136,4 @@ std::string print_memory_state(const nlohmann::ordered_json& state, int width) {
          table("last commands", commands(state.at("commands")), width);
 }
 
-}  // namespace striate
+}  // namespace striate::app

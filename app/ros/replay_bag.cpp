@@ -1,4 +1,4 @@
-#include "app/ros/replay_bag.hpp"
+#include "striate/app/ros/replay_bag.hpp"
 
 #include <fmt/format.h>
 
@@ -8,14 +8,14 @@
 #include <opencv2/core.hpp>
 #include <stdexcept>
 
-#include "app/interrupt.hpp"
-#include "app/mission.hpp"
-#include "app/perceive_files.hpp"
-#include "app/pictures/overview.hpp"
-#include "base/files.hpp"
-#include "platform/ros/bag_robot.hpp"
+#include "striate/agent/mission.hpp"
+#include "striate/agent/pictures/overview.hpp"
+#include "striate/app/interrupt.hpp"
+#include "striate/app/perceive_files.hpp"
+#include "striate/base/files.hpp"
+#include "striate/platform/ros/bag_robot.hpp"
 
-namespace striate {
+namespace striate::app {
 namespace {
 
 using nlohmann::ordered_json;
@@ -26,16 +26,16 @@ ordered_json number(double value) {
 }
 
 /// Share of the disparity map that has a trusted match.
-double known_share(const DisparityMap& map) {
+double known_share(const perception::DisparityMap& map) {
   if (map.disparity_px.empty()) return 0.0;
-  return cv::countNonZero(map.disparity_px < kNoMatch) /
+  return cv::countNonZero(map.disparity_px < perception::kNoMatch) /
          static_cast<double>(map.disparity_px.total());
 }
 
-ordered_json line_of(const CycleTrace& trace) {
+ordered_json line_of(const agent::CycleTrace& trace) {
   const Odometry& odometry = trace.senses.odometry;
-  double nearest_m = kNothing_m;
-  for (const Obstacle& one : trace.percept.obstacles) {
+  double nearest_m = perception::kNothing_m;
+  for (const perception::Obstacle& one : trace.percept.obstacles) {
     nearest_m = std::min(nearest_m, one.distance_m);
   }
   return {{"time_s", number(to_seconds(trace.senses.now))},
@@ -49,7 +49,7 @@ ordered_json line_of(const CycleTrace& trace) {
           {"salient_regions", trace.percept.saliency.regions.size()}};
 }
 
-/// Writes what is asked for, picture pair by picture pair.
+/// Writes what is asked for, image pair by image pair.
 class Notes {
  public:
   explicit Notes(const ReplayBagOptions& options) : options_(options) {
@@ -57,8 +57,8 @@ class Notes {
     make_folder(options_.out);
     lines_.open(options_.out + "/percepts.jsonl");
   }
-  void take(const Mission& mission) {
-    const CycleTrace& trace = mission.cycle().trace();
+  void take(const agent::Mission& mission) {
+    const agent::CycleTrace& trace = mission.cycle().trace();
     if (trace.senses.stereo.stamp == last_) return;
     last_ = trace.senses.stereo.stamp;
     ++pairs_;
@@ -66,8 +66,8 @@ class Notes {
     lines_ << line_of(trace).dump() << '\n';
     if (options_.picture_every > 0 && pairs_ % options_.picture_every == 0) {
       write_picture(fmt::format("{}/overview_{:05d}.png", options_.out, pairs_),
-                    pictures::draw_overview(trace.senses.stereo, trace.percept,
-                                            mission.body().description()));
+                    agent::pictures::draw_overview(trace.senses.stereo, trace.percept,
+                                                   mission.body().description()));
     }
   }
   void finish() {
@@ -86,26 +86,29 @@ class Notes {
 }  // namespace
 
 int replay_bag(const ReplayBagOptions& options) {
-  MissionOptions asked;
+  agent::MissionOptions asked;
   asked.robot = options.robot;
-  const BodySource bag{.wake = [&options](const RobotSettings& settings) -> Body {
-    return {.robot = std::make_unique<ros1::BagRobot>(options.bag, settings.ros, simulated_robot(settings)),
-            .place = options.bag};
-  }};
+  const agent::BodySource bag{
+      .wake = [&options](const agent::RobotSettings& settings) -> agent::Body {
+        return {.robot = std::make_unique<ros::BagRobot>(options.bag, settings.ros,
+                                                         agent::simulated_robot(settings)),
+                .place = options.bag};
+      }};
   const Interrupt interrupt;
-  Mission mission(asked, bag);
+  agent::Mission mission(asked, bag);
   Notes notes(options);
-  const RunResult result = mission.run([&](const Mission& running) {
+  const agent::RunResult result = mission.run([&](const agent::Mission& running) {
     notes.take(running);
     return Interrupt::requested();
   });
   notes.finish();
-  if (result.outcome == RunOutcome::lost) throw std::runtime_error(result.reason);
-  fmt::print("{}: {} picture pairs in {:.1f} s, {:.1f} m by odometry, {:.1f} ms a cycle\n",
+  if (result.outcome == agent::RunOutcome::lost) throw std::runtime_error(result.reason);
+  fmt::print("{}: {} image pairs in {:.1f} s, {:.1f} m by odometry, {:.1f} ms a cycle\n",
              options.bag, notes.pairs(), result.duration_s, result.distance_m,
              result.mean_cycle_ms);
   // That a bag ends is no failure.
-  return result.outcome == RunOutcome::body_ended ? 0 : row_of(result.outcome).exit_code;
+  return result.outcome == agent::RunOutcome::body_ended ? 0
+                                                         : agent::row_of(result.outcome).exit_code;
 }
 
-}  // namespace striate
+}  // namespace striate::app

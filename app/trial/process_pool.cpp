@@ -1,4 +1,4 @@
-#include "app/trial/process_pool.hpp"
+#include "striate/app/trial/process_pool.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -15,7 +15,7 @@
 #include <stdexcept>
 #include <thread>
 
-namespace striate {
+namespace striate::app {
 namespace {
 
 struct Child {
@@ -109,4 +109,4 @@ void run_processes(const std::vector<std::vector<std::string>>& commands, int jo
   }
 }
 
-}  // namespace striate
+}  // namespace striate::app

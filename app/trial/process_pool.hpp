@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace striate {
+namespace striate::app {
 
 /// How a child process ended.
 struct ProcessEnd {
@@ -23,4 +23,4 @@ void run_processes(const std::vector<std::vector<std::string>>& commands, int jo
                    const std::function<void(const ProcessEnd&)>& on_end,
                    const std::function<bool()>& cancelled);
 
-}  // namespace striate
+}  // namespace striate::app

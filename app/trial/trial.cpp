@@ -1,4 +1,4 @@
-#include "app/trial/trial.hpp"
+#include "striate/app/trial/trial.hpp"
 
 #include <fmt/format.h>
 
@@ -7,27 +7,27 @@
 #include <fstream>
 #include <optional>
 
-#include "app/baselines/baseline.hpp"
-#include "app/interrupt.hpp"
-#include "app/run_result.hpp"
-#include "app/status_line.hpp"
-#include "app/trial/process_pool.hpp"
-#include "app/trial/trial_table.hpp"
-#include "base/files.hpp"
-#include "base/user_error.hpp"
+#include "striate/agent/baselines/baseline.hpp"
+#include "striate/agent/run_result.hpp"
+#include "striate/app/interrupt.hpp"
+#include "striate/app/status_line.hpp"
+#include "striate/app/trial/process_pool.hpp"
+#include "striate/app/trial/trial_table.hpp"
+#include "striate/base/files.hpp"
+#include "striate/base/user_error.hpp"
 
-namespace striate {
+namespace striate::app {
 namespace {
 
 /// The finished run in this file, nothing if there is none yet or it was interrupted.
-std::optional<RunResult> finished(const TrialRun& run, const TrialOptions& options) {
+std::optional<agent::RunResult> finished(const TrialRun& run, const TrialOptions& options) {
   std::ifstream stream(run.result_file);
   if (!stream) return std::nullopt;
   const auto json = nlohmann::json::parse(stream, nullptr, false);
   if (json.is_discarded()) return std::nullopt;
-  RunResult result;
+  agent::RunResult result;
   try {
-    result = run_result_from_json(json);
+    result = agent::run_result_from_json(json);
   } catch (const std::runtime_error&) {
     return std::nullopt;
   }
@@ -39,7 +39,7 @@ std::optional<RunResult> finished(const TrialRun& run, const TrialOptions& optio
                     run.result_file, row_name(result.world, result.baseline), result.task,
                     result.emergency_layer ? "on" : "off"));
   }
-  if (!row_of(result.outcome).finished) return std::nullopt;
+  if (!agent::row_of(result.outcome).finished) return std::nullopt;
   return result;
 }
 
@@ -47,7 +47,7 @@ void check_options(const TrialOptions& options) {
   if (!options.memory.empty() && !std::filesystem::is_regular_file(options.memory)) {
     throw UserError(fmt::format("{}: there is no such memory", options.memory));
   }
-  static_cast<void>(baseline_named(options.baseline));
+  static_cast<void>(agent::baseline_named(options.baseline));
   for (const std::string& world : options.worlds) {
     if (!std::filesystem::is_regular_file(world)) {
       throw UserError(fmt::format("{}: there is no such world file", world));
@@ -101,8 +101,8 @@ class Trial {
   }
 
  private:
-  [[nodiscard]] std::vector<RunResult> done() const {
-    std::vector<RunResult> list;
+  [[nodiscard]] std::vector<agent::RunResult> done() const {
+    std::vector<agent::RunResult> list;
     for (const auto& result : results_) {
       if (result) list.push_back(*result);
     }
@@ -123,15 +123,16 @@ class Trial {
   }
 
   void write() const {
-    const std::vector<RunResult> list = done();
+    const std::vector<agent::RunResult> list = done();
     write_file(options_.out + "/runs.csv", runs_csv(list));
     if (!list.empty()) write_file(options_.out + "/table.md", trial_table(list));
   }
 
   void show() {
-    const std::vector<RunResult> list = done();
+    const std::vector<agent::RunResult> list = done();
     int successes = 0;
-    for (const RunResult& result : list) successes += result.outcome == RunOutcome::success ? 1 : 0;
+    for (const agent::RunResult& result : list)
+      successes += result.outcome == agent::RunOutcome::success ? 1 : 0;
     const double elapsed_s =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - started_).count();
     const std::size_t now_done = list.size() - (runs_.size() - missing_.size());
@@ -148,7 +149,7 @@ class Trial {
 
   const TrialOptions& options_;
   std::vector<TrialRun> runs_;
-  std::vector<std::optional<RunResult>> results_;
+  std::vector<std::optional<agent::RunResult>> results_;
   std::vector<std::size_t> missing_;
   StatusLine status_;
   std::chrono::steady_clock::time_point started_;
@@ -163,4 +164,4 @@ int run_trial(const TrialOptions& options) {
   return Trial(options).run();
 }
 
-}  // namespace striate
+}  // namespace striate::app

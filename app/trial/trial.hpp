@@ -1,8 +1,8 @@
 #pragma once
 
-#include "app/trial/trial_plan.hpp"
+#include "striate/app/trial/trial_plan.hpp"
 
-namespace striate {
+namespace striate::app {
 
 /// Runs what is missing of a trial, writes `runs.csv` and `table.md` into `options.out`, prints
 /// the table. A trial that was stopped goes on where it was; a folder with runs of another kind
@@ -10,4 +10,4 @@ namespace striate {
 /// @throws UserError for options that make no sense.
 int run_trial(const TrialOptions& options);
 
-}  // namespace striate
+}  // namespace striate::app

@@ -1,4 +1,4 @@
-#include "app/trial/trial_merge.hpp"
+#include "striate/app/trial/trial_merge.hpp"
 
 #include <fmt/format.h>
 
@@ -8,12 +8,12 @@
 #include <optional>
 #include <set>
 
-#include "app/run_result.hpp"
-#include "app/trial/trial_table.hpp"
-#include "base/files.hpp"
-#include "base/user_error.hpp"
+#include "striate/agent/run_result.hpp"
+#include "striate/app/trial/trial_table.hpp"
+#include "striate/base/files.hpp"
+#include "striate/base/user_error.hpp"
 
-namespace striate {
+namespace striate::app {
 namespace {
 
 namespace fs = std::filesystem;
@@ -22,15 +22,15 @@ namespace fs = std::filesystem;
 using Key = std::pair<std::string, std::uint64_t>;
 
 struct Found {
-  RunResult result;
+  agent::RunResult result;
   std::string file;
 };
 
-RunResult read_run(const fs::path& file) {
+agent::RunResult read_run(const fs::path& file) {
   std::ifstream stream(file);
   const auto json = nlohmann::json::parse(stream, nullptr, false);
   try {
-    if (!json.is_discarded()) return run_result_from_json(json);
+    if (!json.is_discarded()) return agent::run_result_from_json(json);
   } catch (const std::runtime_error&) {
   }
   throw UserError(fmt::format("{}: not the result of a run", file.string()));
@@ -84,7 +84,7 @@ void take_folder(const std::string& folder, Runs& all, std::set<Key>& unfinished
     const Key key{found.result.baseline.empty() ? found.result.world
                                                 : found.result.world + ", " + found.result.baseline,
                   found.result.seed};
-    if (!row_of(found.result.outcome).finished) {
+    if (!agent::row_of(found.result.outcome).finished) {
       unfinished.insert(key);
       continue;
     }
@@ -107,7 +107,7 @@ int merge_trials(const std::vector<std::string>& folders, const std::string& out
   std::set<Key> unfinished;
   for (const std::string& folder : folders) take_folder(folder, all, unfinished);
   const std::set<Key> missing = missing_runs(all, unfinished);
-  std::vector<RunResult> results;
+  std::vector<agent::RunResult> results;
   for (auto& [key, found] : all) results.push_back(std::move(found.result));
   write_file(out + "/runs.csv", runs_csv(results));
   write_file(out + "/table.md", trial_table(results));
@@ -119,4 +119,4 @@ int merge_trials(const std::vector<std::string>& folders, const std::string& out
   return 1;
 }
 
-}  // namespace striate
+}  // namespace striate::app

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-namespace striate {
+namespace striate::app {
 
 /// Joins the parts of a trial that ran on several machines: reads `runs/*.json` of each folder,
 /// writes `runs.csv` and `table.md` of all into `out` and prints the table.
@@ -13,4 +13,4 @@ namespace striate {
 /// emergency layer, and a run that stands in two folders with different results.
 int merge_trials(const std::vector<std::string>& folders, const std::string& out);
 
-}  // namespace striate
+}  // namespace striate::app

@@ -1,10 +1,10 @@
-#include "app/trial/trial_plan.hpp"
+#include "striate/app/trial/trial_plan.hpp"
 
 #include <fmt/format.h>
 
 #include <filesystem>
 
-namespace striate {
+namespace striate::app {
 
 std::string world_name(const std::string& file) {
   return std::filesystem::path(file).stem().string();
@@ -61,4 +61,4 @@ std::string memory_of(const TrialRun& run) {
   return std::filesystem::path(run.result_file).replace_extension(".db").string();
 }
 
-}  // namespace striate
+}  // namespace striate::app

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace striate {
+namespace striate::app {
 
 /// What `striate trial` is asked for.
 struct TrialOptions {
@@ -47,4 +47,4 @@ struct TrialRun {
 /// "corridor_a" from "config/worlds/corridor_a.yaml".
 [[nodiscard]] std::string world_name(const std::string& file);
 
-}  // namespace striate
+}  // namespace striate::app

@@ -1,4 +1,4 @@
-#include "app/trial/trial_table.hpp"
+#include "striate/app/trial/trial_table.hpp"
 
 #include <fmt/format.h>
 
@@ -7,9 +7,9 @@
 #include <limits>
 #include <map>
 
-#include "app/trial/trial_plan.hpp"
+#include "striate/app/trial/trial_plan.hpp"
 
-namespace striate {
+namespace striate::app {
 namespace {
 
 /// The paper, section on the corridor runs: 20 runs of each setup without collision.
@@ -32,12 +32,12 @@ struct Row {
   double longest_stand_s = 0.0;
 };
 
-void add(Row& row, const RunResult& result) {
+void add(Row& row, const agent::RunResult& result) {
   ++row.runs;
   row.touched += result.collisions.empty() ? 0 : 1;
   row.emergency_stops += result.emergency_stops;
   row.longest_stand_s = std::max(row.longest_stand_s, result.longest_stand_s);
-  if (result.outcome != RunOutcome::success) return;
+  if (result.outcome != agent::RunOutcome::success) return;
   ++row.successes;
   row.time_s += result.duration_s;
   row.distance_m += result.distance_m;
@@ -72,27 +72,27 @@ std::string without_number(std::string name) {
   return name;
 }
 
-std::string long_stands(const std::vector<RunResult>& results) {
+std::string long_stands(const std::vector<agent::RunResult>& results) {
   // s: a person who watches takes so long a stand for the end of the run (ours)
   constexpr double kLong_s = 30.0;
   std::string text;
-  for (const RunResult& result : results) {
+  for (const agent::RunResult& result : results) {
     if (result.longest_stand_s <= kLong_s) continue;
     text += fmt::format("- {} seed {}, {:.0f} s{}\n", world_name(result.world), result.seed,
-                        result.longest_stand_s, stood_for(result));
+                        result.longest_stand_s, agent::stood_for(result));
   }
   return text;
 }
 
-std::string causes(const std::vector<RunResult>& results) {
+std::string causes(const std::vector<agent::RunResult>& results) {
   std::map<std::string, int> counts;
-  for (const RunResult& result : results) {
-    if (result.outcome == RunOutcome::success) continue;
+  for (const agent::RunResult& result : results) {
+    if (result.outcome == agent::RunOutcome::success) continue;
     if (result.collisions.empty()) {
       ++counts[fmt::format("{}: {}", name_of(result.outcome), result.reason)];
       continue;
     }
-    const CollisionRecord& hit = result.collisions.front();
+    const agent::CollisionRecord& hit = result.collisions.front();
     ++counts[fmt::format("touched {}, {}, {}", without_number(hit.hit),
                          hit.moving ? "moving" : "still",
                          hit.light_level < 0.3 ? "in the dark" : "in light")];
@@ -116,19 +116,19 @@ Interval wilson_interval(int successes, int runs) {
   return {std::max(0.0, centre - half), std::min(1.0, centre + half)};
 }
 
-std::string runs_csv(const std::vector<RunResult>& results) {
+std::string runs_csv(const std::vector<agent::RunResult>& results) {
   std::string csv =
       "world,seed,outcome,reached_goal,collisions,first_hit,hit_moving,hit_light_level,hit_time_s,"
       "hit_along_m,hit_left_m,distance_m,duration_s,nearest_pass_m,emergency_stops,"
       "longest_stand_s,mean_cycle_ms,realtime_factor,emergency_layer,baseline,reason,"
       "longest_stand_why\n";
-  for (const RunResult& r : results) {
+  for (const agent::RunResult& r : results) {
     csv += fmt::format("{},{},{},{},{},", world_name(r.world), r.seed, name_of(r.outcome),
                        r.reached_goal, r.collisions.size());
     if (r.collisions.empty()) {
       csv += ",,,,,,";
     } else {
-      const CollisionRecord& hit = r.collisions.front();
+      const agent::CollisionRecord& hit = r.collisions.front();
       csv += fmt::format("{},{},{:.3f},{:.2f},{:.3f},{:.3f},", hit.hit, hit.moving, hit.light_level,
                          hit.time_s, hit.along_m, hit.left_m);
     }
@@ -144,10 +144,10 @@ std::string runs_csv(const std::vector<RunResult>& results) {
   return csv;
 }
 
-std::string trial_table(const std::vector<RunResult>& results) {
+std::string trial_table(const std::vector<agent::RunResult>& results) {
   std::vector<Row> rows;
   std::map<std::string, Row> totals;  // of each baseline
-  for (const RunResult& result : results) {
+  for (const agent::RunResult& result : results) {
     const std::string name = row_name(result.world, result.baseline);
     auto row = std::find_if(rows.begin(), rows.end(), [&](const Row& r) { return r.name == name; });
     if (row == rows.end()) {
@@ -175,11 +175,11 @@ std::string trial_table(const std::vector<RunResult>& results) {
   return text;
 }
 
-std::string replay_commands(const std::vector<RunResult>& results, const std::string& robot,
+std::string replay_commands(const std::vector<agent::RunResult>& results, const std::string& robot,
                             const std::string& memory) {
   std::string text;
-  for (const RunResult& result : results) {
-    if (result.outcome == RunOutcome::success) continue;
+  for (const agent::RunResult& result : results) {
+    if (result.outcome == agent::RunOutcome::success) continue;
     text += fmt::format(
         "    striate run {} --world {} --seed {}{}{}{}{} --picture-every 10 --pictures "
         "out/replay/{}_seed{:03d}\n",
@@ -191,4 +191,4 @@ std::string replay_commands(const std::vector<RunResult>& results, const std::st
   return text.empty() ? text : "\nTo see what failed again:\n" + text;
 }
 
-}  // namespace striate
+}  // namespace striate::app

@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "app/run_result.hpp"
+#include "striate/agent/run_result.hpp"
 
-namespace striate {
+namespace striate::app {
 
 /// A 95 % interval of a success rate.
 struct Interval {
@@ -17,15 +17,15 @@ struct Interval {
 [[nodiscard]] Interval wilson_interval(int successes, int runs);
 
 /// `runs.csv`: one row a run, in the order given.
-[[nodiscard]] std::string runs_csv(const std::vector<RunResult>& results);
+[[nodiscard]] std::string runs_csv(const std::vector<agent::RunResult>& results);
 
 /// The table that `striate trial` prints: one row a world with the paper's figure beside it,
 /// then the collisions by what was hit. Markdown, so that it can stand in a README.
-[[nodiscard]] std::string trial_table(const std::vector<RunResult>& results);
+[[nodiscard]] std::string trial_table(const std::vector<agent::RunResult>& results);
 
-/// A command for each failed run that runs it again, the same bit for bit, with pictures to watch.
+/// A command for each failed run that runs it again, the same bit for bit, with images to watch.
 /// @param robot the settings file of the trial; may be empty, @param memory likewise.
-[[nodiscard]] std::string replay_commands(const std::vector<RunResult>& results,
+[[nodiscard]] std::string replay_commands(const std::vector<agent::RunResult>& results,
                                           const std::string& robot, const std::string& memory = "");
 
-}  // namespace striate
+}  // namespace striate::app

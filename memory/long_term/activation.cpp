@@ -1,4 +1,4 @@
-#include "memory/long_term/activation.hpp"
+#include "striate/memory/long_term/activation.hpp"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace striate {
+namespace striate::memory {
 namespace {
 
 constexpr double kNearest_s = 1.0;  ///< by hand: at an age of 0 the power would be infinite
@@ -114,4 +114,4 @@ std::vector<std::string> explain(const Landmark& landmark, const Situation& situ
   return lines;
 }
 
-}  // namespace striate
+}  // namespace striate::memory

@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "memory/long_term/long_term_settings.hpp"
-#include "memory/long_term/records.hpp"
+#include "striate/memory/long_term/long_term_settings.hpp"
+#include "striate/memory/long_term/records.hpp"
 
-namespace striate {
+namespace striate::memory {
 
 /// What is going on now: it spreads activation to what belongs to it.
 struct Situation {
@@ -52,4 +52,4 @@ struct Activation {
 /// "12 s", "5 min", "3.2 h", "4.1 days".
 [[nodiscard]] std::string print_time_span(double span_s);
 
-}  // namespace striate
+}  // namespace striate::memory

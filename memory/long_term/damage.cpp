@@ -1,11 +1,11 @@
-#include "memory/long_term/damage.hpp"
+#include "striate/memory/long_term/damage.hpp"
 
 #include <SQLiteCpp/Statement.h>
 #include <fmt/format.h>
 
-#include "memory/long_term/view_codec.hpp"
+#include "striate/memory/long_term/view_codec.hpp"
 
-namespace striate {
+namespace striate::memory {
 namespace {
 
 void check_pages(SQLite::Database& database, std::vector<std::string>& damage) {
@@ -47,7 +47,7 @@ void check_views(SQLite::Database& database, std::vector<std::string>& damage) {
     if (crc32c(bytes_of(views.getColumn(7))) !=
         static_cast<std::uint32_t>(views.getColumn(8).getInt64())) {
       damage.push_back(
-          fmt::format("landmark '{}', view {}: its picture does not match its "
+          fmt::format("landmark '{}', view {}: its image does not match its "
                       "checksum; the view itself is used",
                       name, id));
     }
@@ -70,4 +70,4 @@ std::vector<std::string> find_damage(SQLite::Database& database) {
   return damage;
 }
 
-}  // namespace striate
+}  // namespace striate::memory

@@ -4,9 +4,9 @@
 #include <map>
 #include <string>
 
-#include "base/geometry.hpp"
+#include "striate/base/geometry.hpp"
 
-namespace striate {
+namespace striate::memory {
 
 /// What happens again at the same place a moment later is one episode: a robot that stands before
 /// something must not fill its memory with it.
@@ -33,4 +33,4 @@ class EpisodeGate {
   std::map<std::string, Last> last_;
 };
 
-}  // namespace striate
+}  // namespace striate::memory

@@ -1,14 +1,14 @@
-#include "memory/long_term/forgetting.hpp"
+#include "striate/memory/long_term/forgetting.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "base/user_error.hpp"
-#include "config/quantity.hpp"
-#include "memory/long_term/activation.hpp"
+#include "striate/base/user_error.hpp"
+#include "striate/config/quantity.hpp"
+#include "striate/memory/long_term/activation.hpp"
 
-namespace striate {
+namespace striate::memory {
 namespace {
 
 void note(MemoryTables& tables, const std::string& kind, const std::string& name,
@@ -91,4 +91,4 @@ void prune(MemoryTables& tables, const PrunePlan& plan, const LongTermSettings& 
   if (plan.episodes > 0) tables.sessions.keep_newest_episodes(settings.most_episodes);
 }
 
-}  // namespace striate
+}  // namespace striate::memory

@@ -3,10 +3,10 @@
 #include <string>
 #include <vector>
 
-#include "memory/long_term/long_term_settings.hpp"
-#include "memory/long_term/memory_tables.hpp"
+#include "striate/memory/long_term/long_term_settings.hpp"
+#include "striate/memory/long_term/memory_tables.hpp"
 
-namespace striate {
+namespace striate::memory {
 
 /// Forgetting retires: the landmark is no longer looked for, all that is known of it stays, and it
 /// can be restored. Each is called within a transaction.
@@ -36,4 +36,4 @@ void prune(MemoryTables& tables, const PrunePlan& plan, const LongTermSettings& 
 /// The landmark of that name. @throws UserError naming those that sound like it.
 [[nodiscard]] Landmark find_landmark(MemoryTables& tables, const std::string& name);
 
-}  // namespace striate
+}  // namespace striate::memory

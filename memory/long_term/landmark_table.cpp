@@ -1,12 +1,12 @@
-#include "memory/long_term/landmark_table.hpp"
+#include "striate/memory/long_term/landmark_table.hpp"
 
 #include <fmt/format.h>
 
 #include <cstdlib>
 
-#include "memory/long_term/statement_use.hpp"
+#include "striate/memory/long_term/statement_use.hpp"
 
-namespace striate {
+namespace striate::memory {
 namespace {
 
 constexpr const char* kSelect =
@@ -138,4 +138,4 @@ std::vector<double> parse_uses(const std::string& text) {
   return recent_s;
 }
 
-}  // namespace striate
+}  // namespace striate::memory

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "memory/long_term/records.hpp"
+#include "striate/memory/long_term/records.hpp"
 
-namespace striate {
+namespace striate::memory {
 
 /// The table `landmark`. All errors are SQLite::Exception.
 class LandmarkTable {
@@ -41,4 +41,4 @@ class LandmarkTable {
 [[nodiscard]] std::string print_uses(const std::vector<double>& recent_s);
 [[nodiscard]] std::vector<double> parse_uses(const std::string& text);
 
-}  // namespace striate
+}  // namespace striate::memory

@@ -1,17 +1,17 @@
-#include "memory/long_term/learning.hpp"
+#include "striate/memory/long_term/learning.hpp"
 
 #include <cmath>
 
-#include "memory/long_term/activation.hpp"
+#include "striate/memory/long_term/activation.hpp"
 
-namespace striate {
+namespace striate::memory {
 
 bool Learning::same_place(const Point2& a, const Point2& b) const {
   return std::hypot(a.x_m - b.x_m, a.y_m - b.y_m) < settings_.new_use_after_m;
 }
 
 bool Learning::seen(std::int64_t landmark, const Point2& from) {
-  Known& known = known_[landmark];
+  KnownViews& known = known_[landmark];
   known.missed_frames = 0;
   known.was_missed = false;
   if (known.used && same_place(from, known.used_from)) return false;
@@ -21,7 +21,7 @@ bool Learning::seen(std::int64_t landmark, const Point2& from) {
 }
 
 bool Learning::missed(std::int64_t landmark, const Point2& from) {
-  Known& known = known_[landmark];
+  KnownViews& known = known_[landmark];
   if (++known.missed_frames < settings_.missed_frames) return false;
   known.missed_frames = 0;
   if (known.was_missed && same_place(from, known.missed_from)) return false;
@@ -46,4 +46,4 @@ void keep_miss(MemoryTables& tables, const std::string& name, const LongTermSett
   tables.landmarks.update(*landmark);
 }
 
-}  // namespace striate
+}  // namespace striate::memory

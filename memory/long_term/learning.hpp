@@ -3,11 +3,11 @@
 #include <cstdint>
 #include <unordered_map>
 
-#include "base/geometry.hpp"
-#include "memory/long_term/long_term_settings.hpp"
-#include "memory/long_term/memory_tables.hpp"
+#include "striate/base/geometry.hpp"
+#include "striate/memory/long_term/long_term_settings.hpp"
+#include "striate/memory/long_term/memory_tables.hpp"
 
-namespace striate {
+namespace striate::memory {
 
 /// Decides which looks teach something. A landmark that is seen again from where it was seen is the
 /// same use, and one that is missed from where it was missed the same miss, so a robot that stands
@@ -26,7 +26,7 @@ class Learning {
   [[nodiscard]] bool missed(std::int64_t landmark, const Point2& from);
 
  private:
-  struct Known {
+  struct KnownViews {
     bool used = false;
     Point2 used_from;
     bool was_missed = false;  ///< since it was used last
@@ -36,7 +36,7 @@ class Learning {
   [[nodiscard]] bool same_place(const Point2& a, const Point2& b) const;
 
   LongTermSettings settings_;
-  std::unordered_map<std::int64_t, Known> known_;
+  std::unordered_map<std::int64_t, KnownViews> known_;
 };
 
 /// For the writer's thread, within a transaction. A landmark that is gone is left out.
@@ -44,4 +44,4 @@ void keep_sighting(MemoryTables& tables, const std::string& name, double now_s,
                    const LongTermSettings& settings);
 void keep_miss(MemoryTables& tables, const std::string& name, const LongTermSettings& settings);
 
-}  // namespace striate
+}  // namespace striate::memory

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "config/settings.hpp"
+#include "striate/config/settings.hpp"
 
-namespace striate {
+namespace striate::memory {
 
 /// How the long-term memory learns and forgets. The group's papers publish no constants; these are
 /// ours, by hand (memory/README.md), but for the decay, which is ACT-R's usual 0.5.
@@ -64,4 +64,4 @@ void visit(V& v, LongTermSettings& s) {
   v.integer("most_episodes", s.most_episodes, {1, 100000000}, "episodes that prune leaves");
 }
 
-}  // namespace striate
+}  // namespace striate::memory

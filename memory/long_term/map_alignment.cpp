@@ -1,10 +1,10 @@
-#include "memory/long_term/map_alignment.hpp"
+#include "striate/memory/long_term/map_alignment.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 
-namespace striate {
+namespace striate::memory {
 namespace {
 
 constexpr double kApart_m = 1.0;       // by hand: nearer, two say little about the heading
@@ -12,7 +12,7 @@ constexpr double kGate = 13.8;         ///< chi squared of 99.9 %, two degrees o
 constexpr double kLeastError_m = 0.1;  ///< by hand: twice the error of a landmark's middle
 
 bool agrees(const Pose2& origin, const OnBothMaps& one) {
-  const Point2 at = to_outer(origin, Point2{one.theirs.x_m, one.theirs.y_m});
+  const Point2 at = transform(origin, Point2{one.theirs.x_m, one.theirs.y_m});
   const double variance_m2 = std::max(one.theirs.var_x_m2, one.theirs.var_y_m2) +
                              std::max(one.ours.var_x_m2, one.ours.var_y_m2) +
                              kLeastError_m * kLeastError_m;
@@ -39,7 +39,7 @@ Pose2 best_motion(const std::vector<OnBothMaps>& pairs) {
     across += ax * by - ay * bx;
   }
   const Pose2 turn{0.0, 0.0, std::atan2(across, along)};
-  const Point2 turned = to_outer(turn, theirs);
+  const Point2 turned = transform(turn, theirs);
   return {ours.x_m - turned.x_m, ours.y_m - turned.y_m, turn.heading_rad};
 }
 
@@ -65,7 +65,7 @@ std::optional<Pose2> align_maps(const std::vector<OnBothMaps>& common) {
 }
 
 MapPosition on_our_map(const Pose2& their_origin, const MapPosition& theirs) {
-  const Point2 at = to_outer(their_origin, Point2{theirs.x_m, theirs.y_m});
+  const Point2 at = transform(their_origin, Point2{theirs.x_m, theirs.y_m});
   const double c = std::cos(their_origin.heading_rad);
   const double s = std::sin(their_origin.heading_rad);
   const double xx = theirs.var_x_m2, xy = theirs.cov_xy_m2, yy = theirs.var_y_m2;
@@ -75,4 +75,4 @@ MapPosition on_our_map(const Pose2& their_origin, const MapPosition& theirs) {
           s * s * xx + 2.0 * c * s * xy + c * c * yy + error_m2};
 }
 
-}  // namespace striate
+}  // namespace striate::memory

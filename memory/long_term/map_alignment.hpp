@@ -3,10 +3,10 @@
 #include <optional>
 #include <vector>
 
-#include "base/geometry.hpp"
-#include "memory/long_term/records.hpp"
+#include "striate/base/geometry.hpp"
+#include "striate/memory/long_term/records.hpp"
 
-namespace striate {
+namespace striate::memory {
 
 /// One landmark on two maps.
 struct OnBothMaps {
@@ -22,4 +22,4 @@ struct OnBothMaps {
 /// A place of their map on ours.
 [[nodiscard]] MapPosition on_our_map(const Pose2& their_origin, const MapPosition& theirs);
 
-}  // namespace striate
+}  // namespace striate::memory

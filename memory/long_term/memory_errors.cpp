@@ -1,11 +1,11 @@
-#include "memory/long_term/memory_errors.hpp"
+#include "striate/memory/long_term/memory_errors.hpp"
 
 #include <fmt/format.h>
 #include <sqlite3.h>
 
-#include "base/user_error.hpp"
+#include "striate/base/user_error.hpp"
 
-namespace striate {
+namespace striate::memory {
 namespace {
 
 const char* what_and_cure(int code) {
@@ -45,4 +45,4 @@ void throw_memory_error(const std::string& file, const std::string& doing,
                               what_and_cure(error.getErrorCode() & 0xFF)));
 }
 
-}  // namespace striate
+}  // namespace striate::memory

@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace striate {
+namespace striate::memory {
 
 /// Turns what SQLite says into a sentence for the person: what, where, how to mend.
 /// @param file the memory; @param doing "opening", "keeping 'book'", ...
@@ -12,4 +12,4 @@ namespace striate {
 [[noreturn]] void throw_memory_error(const std::string& file, const std::string& doing,
                                      const SQLite::Exception& error);
 
-}  // namespace striate
+}  // namespace striate::memory

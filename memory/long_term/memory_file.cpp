@@ -1,4 +1,4 @@
-#include "memory/long_term/memory_file.hpp"
+#include "striate/memory/long_term/memory_file.hpp"
 
 #include <SQLiteCpp/Statement.h>
 #include <SQLiteCpp/Transaction.h>
@@ -7,12 +7,12 @@
 
 #include <filesystem>
 
-#include "base/user_error.hpp"
-#include "memory/long_term/damage.hpp"
-#include "memory/long_term/memory_errors.hpp"
-#include "memory/long_term/migration.hpp"
+#include "striate/base/user_error.hpp"
+#include "striate/memory/long_term/damage.hpp"
+#include "striate/memory/long_term/memory_errors.hpp"
+#include "striate/memory/long_term/migration.hpp"
 
-namespace striate {
+namespace striate::memory {
 namespace {
 
 /// A file that nobody can be writing to, because its folder is read-only and no log lies beside it.
@@ -196,4 +196,4 @@ void MemoryFile::mark_crashed() {
   for (const std::string& line : damage) notices_.push_back(path_ + ": " + line);
 }
 
-}  // namespace striate
+}  // namespace striate::memory

@@ -2,33 +2,15 @@
 
 #include <SQLiteCpp/Database.h>
 
-#include <cstdint>
 #include <memory>
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
-#include "memory/long_term/schema.hpp"
-#include "memory/long_term/writer_lock.hpp"
+#include "striate/memory/long_term/memory_options.hpp"
+#include "striate/memory/long_term/writer_lock.hpp"
 
-namespace striate {
-
-enum class Access {
-  read,    ///< changes nothing; at any time, also while a mission writes
-  edit,    ///< a short change by a person; also while a mission writes
-  session  ///< the one writer; makes the file where there is none
-};
-
-struct MemoryOptions {
-  Access access = Access::read;
-  std::string software = "striate";  ///< who opens it: told to others, kept with migrations
-  std::int64_t now_unix_s = 0;
-  std::int64_t most_pages = 0;  ///< the file grows no further, kPage_bytes each; 0: no bound
-  int wait_ms = 5000;           ///< for another writer's commit
-  int version = schema::kVersion;
-  std::span<const schema::Step> steps = schema::steps();
-};
+namespace striate::memory {
 
 /// A memory on disk, opened and found to be one. A foreign file is refused, an older version is
 /// copied to FILE.vN.backup and then migrated, a newer one may only be read. Where the last session
@@ -60,4 +42,4 @@ class MemoryFile {
   std::vector<std::string> notices_;
 };
 
-}  // namespace striate
+}  // namespace striate::memory

@@ -1,11 +1,11 @@
 #pragma once
 
-#include "memory/long_term/landmark_table.hpp"
-#include "memory/long_term/place_table.hpp"
-#include "memory/long_term/session_table.hpp"
-#include "memory/long_term/view_table.hpp"
+#include "striate/memory/long_term/landmark_table.hpp"
+#include "striate/memory/long_term/map_table.hpp"
+#include "striate/memory/long_term/session_table.hpp"
+#include "striate/memory/long_term/view_table.hpp"
 
-namespace striate {
+namespace striate::memory {
 
 /// All tables of an opened memory, with every statement prepared once. Belongs to one thread.
 struct MemoryTables {
@@ -15,7 +15,7 @@ struct MemoryTables {
   LandmarkTable landmarks;
   ViewTable views;
   SessionTable sessions;
-  PlaceTable places;
+  MapTable places;
 };
 
-}  // namespace striate
+}  // namespace striate::memory

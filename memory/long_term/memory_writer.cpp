@@ -1,10 +1,10 @@
-#include "memory/long_term/memory_writer.hpp"
+#include "striate/memory/long_term/memory_writer.hpp"
 
 #include <SQLiteCpp/Transaction.h>
 
-#include "memory/long_term/memory_errors.hpp"
+#include "striate/memory/long_term/memory_errors.hpp"
 
-namespace striate {
+namespace striate::memory {
 namespace {
 
 MemoryOptions as_session(MemoryOptions options) {
@@ -128,4 +128,4 @@ void MemoryWriter::set_synchronous(bool full) {
   full_ = full;
 }
 
-}  // namespace striate
+}  // namespace striate::memory

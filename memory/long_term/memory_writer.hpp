@@ -10,10 +10,10 @@
 #include <thread>
 #include <vector>
 
-#include "memory/long_term/memory_file.hpp"
-#include "memory/long_term/memory_tables.hpp"
+#include "striate/memory/long_term/memory_file.hpp"
+#include "striate/memory/long_term/memory_tables.hpp"
 
-namespace striate {
+namespace striate::memory {
 
 /// The one thread that commits. The cycle posts what is to be kept and goes on; what a person
 /// taught is waited for until it is on the disk.
@@ -67,4 +67,4 @@ class MemoryWriter {
   std::thread thread_;  ///< last: it uses all of the above
 };
 
-}  // namespace striate
+}  // namespace striate::memory

@@ -1,4 +1,4 @@
-#include "memory/long_term/merging.hpp"
+#include "striate/memory/long_term/merging.hpp"
 
 #include <fmt/format.h>
 
@@ -8,10 +8,10 @@
 #include <set>
 #include <unordered_map>
 
-#include "memory/long_term/map_alignment.hpp"
-#include "memory/long_term/teaching.hpp"
+#include "striate/memory/long_term/map_alignment.hpp"
+#include "striate/memory/long_term/teaching.hpp"
 
-namespace striate {
+namespace striate::memory {
 namespace {
 
 using Ids = std::unordered_map<std::int64_t, std::int64_t>;  ///< of the other memory -> here
@@ -226,7 +226,7 @@ class Merger {
   }
 
   static void move(ObstacleCell& cell, const Pose2& origin) {
-    const Point2 middle = to_outer(
+    const Point2 middle = transform(
         origin, Point2{(cell.column + 0.5) * kObstacleCell_m, (cell.row + 0.5) * kObstacleCell_m});
     cell.column = static_cast<int>(std::floor(middle.x_m / kObstacleCell_m));
     cell.row = static_cast<int>(std::floor(middle.y_m / kObstacleCell_m));
@@ -290,4 +290,4 @@ Merged merge(MemoryTables& tables, MemoryTables& other, const LongTermSettings& 
   return Merger(tables, other, settings).run();
 }
 
-}  // namespace striate
+}  // namespace striate::memory

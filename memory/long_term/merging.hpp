@@ -3,10 +3,10 @@
 #include <string>
 #include <vector>
 
-#include "memory/long_term/long_term_settings.hpp"
-#include "memory/long_term/memory_tables.hpp"
+#include "striate/memory/long_term/long_term_settings.hpp"
+#include "striate/memory/long_term/memory_tables.hpp"
 
-namespace striate {
+namespace striate::memory {
 
 /// What came of merging another memory into one.
 struct Merged {
@@ -29,4 +29,4 @@ struct Merged {
 [[nodiscard]] Merged merge(MemoryTables& tables, MemoryTables& other,
                            const LongTermSettings& settings);
 
-}  // namespace striate
+}  // namespace striate::memory

@@ -1,4 +1,4 @@
-#include "memory/long_term/migration.hpp"
+#include "striate/memory/long_term/migration.hpp"
 
 #include <SQLiteCpp/Statement.h>
 #include <SQLiteCpp/Transaction.h>
@@ -8,10 +8,10 @@
 
 #include <filesystem>
 
-#include "base/user_error.hpp"
-#include "memory/long_term/damage.hpp"
+#include "striate/base/user_error.hpp"
+#include "striate/memory/long_term/damage.hpp"
 
-namespace striate {
+namespace striate::memory {
 namespace {
 
 /// A whole copy under its final name, or none.
@@ -78,4 +78,4 @@ std::string migrate(SQLite::Database& database, const std::string& path, int fro
                      version, backup);
 }
 
-}  // namespace striate
+}  // namespace striate::memory

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <SQLiteCpp/Database.h>
+
 #include <string>
 
-#include "memory/long_term/memory_file.hpp"
+#include "striate/memory/long_term/memory_options.hpp"
 
-namespace striate {
+namespace striate::memory {
 
 /// Brings an older memory to `options.version`: first a copy to FILE.vN.backup, then all steps in
 /// one transaction, which is checked before it is committed. Whatever ends it half-way, the file is
@@ -17,4 +19,4 @@ namespace striate {
 /// Has what was written to a file, or what a folder lists, reach the disk.
 void sync_to_disk(const std::string& path);
 
-}  // namespace striate
+}  // namespace striate::memory

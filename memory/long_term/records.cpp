@@ -1,6 +1,6 @@
-#include "memory/long_term/records.hpp"
+#include "striate/memory/long_term/records.hpp"
 
-namespace striate {
+namespace striate::memory {
 
 const char* name_of(SessionKind kind) {
   switch (kind) {
@@ -32,4 +32,4 @@ const char* name_of(LandmarkKind kind) {
   return kind == LandmarkKind::taught ? "taught" : "candidate";
 }
 
-}  // namespace striate
+}  // namespace striate::memory

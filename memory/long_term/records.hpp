@@ -7,13 +7,13 @@
 #include <string>
 #include <vector>
 
-#include "perception/recognition/landmark_view.hpp"
+#include "striate/perception/recognition/landmark_view.hpp"
 
 /// What the long-term memory holds, as the rest of the program sees it. One struct a table.
 ///
 /// Times named `_s` are *operating time*: seconds that the robot was at work since its memory was
 /// made. A night in the cupboard does not count. `unix_s` is the calendar's time.
-namespace striate {
+namespace striate::memory {
 
 enum class SessionKind { teach, mission, replay, import };
 enum class SessionState { open, closed, crashed };
@@ -42,11 +42,11 @@ struct StoredView {
   double width_px = 0.0;
   double height_px = 0.0;
   std::vector<StoredDescriptor> descriptors;
-  std::vector<ViewKeypoint> keypoints;  ///< as many as descriptors
-  std::optional<double> range_m;        ///< from where it was seen
+  std::vector<perception::ViewKeypoint> keypoints;  ///< as many as descriptors
+  std::optional<double> range_m;                    ///< from where it was seen
   std::optional<double> bearing_rad;
-  std::vector<std::uint8_t> picture;  ///< JPEG of the region; empty: none
-  bool damaged = false;               ///< the bytes do not match their checksum: not to be used
+  std::vector<std::uint8_t> image;  ///< JPEG of the region; empty: none
+  bool damaged = false;             ///< the bytes do not match their checksum: not to be used
 };
 
 /// Position on the map with its covariance.
@@ -118,4 +118,4 @@ struct Episode {
 [[nodiscard]] const char* name_of(SessionState state);
 [[nodiscard]] const char* name_of(LandmarkKind kind);
 
-}  // namespace striate
+}  // namespace striate::memory

@@ -1,6 +1,6 @@
-#include "memory/long_term/schema.hpp"
+#include "striate/memory/long_term/schema.hpp"
 
-namespace striate::schema {
+namespace striate::memory::schema {
 namespace {
 
 constexpr const char* kCreate = R"sql(
@@ -102,4 +102,4 @@ std::span<const Step> steps() {
   return {};
 }
 
-}  // namespace striate::schema
+}  // namespace striate::memory::schema

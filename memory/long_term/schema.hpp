@@ -4,7 +4,7 @@
 #include <span>
 
 /// The tables of the long-term memory. Readable by anyone with the `sqlite3` shell.
-namespace striate::schema {
+namespace striate::memory::schema {
 
 /// "Stri" in the file's header: what tells a memory from any other SQLite file.
 inline constexpr std::int64_t kApplicationId = 0x53747269;
@@ -27,4 +27,4 @@ struct Step {
 /// their own.
 [[nodiscard]] std::span<const Step> steps();
 
-}  // namespace striate::schema
+}  // namespace striate::memory::schema

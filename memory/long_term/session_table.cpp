@@ -1,8 +1,8 @@
-#include "memory/long_term/session_table.hpp"
+#include "striate/memory/long_term/session_table.hpp"
 
-#include "memory/long_term/statement_use.hpp"
+#include "striate/memory/long_term/statement_use.hpp"
 
-namespace striate {
+namespace striate::memory {
 namespace {
 
 SessionKind kind_of(const std::string& name) {
@@ -136,4 +136,4 @@ void SessionTable::keep_newest_episodes(int most) {
   StatementUse(keep_newest_).with(most).run();
 }
 
-}  // namespace striate
+}  // namespace striate::memory

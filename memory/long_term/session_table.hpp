@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "memory/long_term/records.hpp"
+#include "striate/memory/long_term/records.hpp"
 
-namespace striate {
+namespace striate::memory {
 
 /// The tables `session` and `episode`. All errors are SQLite::Exception.
 class SessionTable {
@@ -43,4 +43,4 @@ class SessionTable {
       count_episodes_, keep_newest_;
 };
 
-}  // namespace striate
+}  // namespace striate::memory

@@ -4,7 +4,7 @@
 
 #include <optional>
 
-namespace striate {
+namespace striate::memory {
 
 /// One use of a statement that is prepared once: clean before, given back after, whatever happens
 /// between. A statement that is not given back keeps its read transaction open.
@@ -54,4 +54,4 @@ class StatementUse {
   int bound_ = 0;
 };
 
-}  // namespace striate
+}  // namespace striate::memory

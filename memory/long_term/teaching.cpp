@@ -1,13 +1,13 @@
-#include "memory/long_term/teaching.hpp"
+#include "striate/memory/long_term/teaching.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "base/user_error.hpp"
-#include "memory/long_term/activation.hpp"
+#include "striate/base/user_error.hpp"
+#include "striate/memory/long_term/activation.hpp"
 
-namespace striate {
+namespace striate::memory {
 namespace {
 
 /// Of the landmarks under other names, the one that agrees best with any of the views.
@@ -43,7 +43,7 @@ void check_structure(const std::vector<StoredView>& views, const LongTermSetting
       throw UserError(
           fmt::format("view {} has too little structure: {} keypoints, at least {} are "
                       "needed to recognise anything; nothing was kept\n    take a "
-                      "sharper or larger picture, or one of a side with print on it",
+                      "sharper or larger image, or one of a side with print on it",
                       k + 1, count, settings.least_keypoints));
     }
     if (count < settings.few_keypoints) {
@@ -132,7 +132,7 @@ bool add_view(MemoryTables& tables, const StoredView& view, ViewComparer& compar
 Taught teach(MemoryTables& tables, const Session& session, const std::string& name,
              const std::vector<StoredView>& views, const LongTermSettings& settings) {
   check_landmark_name(name);
-  if (views.empty()) throw UserError(fmt::format("no picture to learn '{}' from", name));
+  if (views.empty()) throw UserError(fmt::format("no image to learn '{}' from", name));
   Taught taught;
   check_structure(views, settings, taught.remarks);
   ViewComparer comparer;
@@ -171,4 +171,4 @@ std::string undo_teaching(MemoryTables& tables) {
   throw UserError("no teaching is left to undo");
 }
 
-}  // namespace striate
+}  // namespace striate::memory

@@ -3,11 +3,11 @@
 #include <string>
 #include <vector>
 
-#include "memory/long_term/long_term_settings.hpp"
-#include "memory/long_term/memory_tables.hpp"
-#include "memory/long_term/view_comparer.hpp"
+#include "striate/memory/long_term/long_term_settings.hpp"
+#include "striate/memory/long_term/memory_tables.hpp"
+#include "striate/memory/long_term/view_comparer.hpp"
 
-namespace striate {
+namespace striate::memory {
 
 /// What came of teaching.
 struct Taught {
@@ -39,4 +39,4 @@ bool add_view(MemoryTables& tables, const StoredView& view, ViewComparer& compar
 /// @return what was taken back, in a sentence. @throws UserError where there is nothing to undo.
 [[nodiscard]] std::string undo_teaching(MemoryTables& tables);
 
-}  // namespace striate
+}  // namespace striate::memory

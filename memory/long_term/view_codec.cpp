@@ -1,12 +1,12 @@
-#include "memory/long_term/view_codec.hpp"
+#include "striate/memory/long_term/view_codec.hpp"
 
 #include <array>
 #include <cstring>
 
-namespace striate {
+namespace striate::memory {
 namespace {
 
-static_assert(sizeof(ViewKeypoint) == 16 && sizeof(StoredDescriptor) == 32);
+static_assert(sizeof(perception::ViewKeypoint) == 16 && sizeof(StoredDescriptor) == 32);
 
 template <class T>
 std::span<const std::uint8_t> as_bytes(const std::vector<T>& all) {
@@ -30,7 +30,7 @@ std::span<const std::uint8_t> bytes_of(const std::vector<StoredDescriptor>& all)
   return as_bytes(all);
 }
 
-std::span<const std::uint8_t> bytes_of(const std::vector<ViewKeypoint>& all) {
+std::span<const std::uint8_t> bytes_of(const std::vector<perception::ViewKeypoint>& all) {
   return as_bytes(all);
 }
 
@@ -38,7 +38,7 @@ void unpack(std::span<const std::uint8_t> bytes, std::vector<StoredDescriptor>& 
   unpack_as(bytes, all);
 }
 
-void unpack(std::span<const std::uint8_t> bytes, std::vector<ViewKeypoint>& all) {
+void unpack(std::span<const std::uint8_t> bytes, std::vector<perception::ViewKeypoint>& all) {
   unpack_as(bytes, all);
 }
 
@@ -51,16 +51,16 @@ std::uint32_t checksum_of_view(double width_px, double height_px,
   return crc32c(keypoints, crc32c(descriptors, crc32c(size)));
 }
 
-StoredDescriptor stored(const Descriptor& descriptor) {
+StoredDescriptor stored(const perception::Descriptor& descriptor) {
   StoredDescriptor bytes{};
   std::memcpy(bytes.data(), descriptor.words.data(), bytes.size());
   return bytes;
 }
 
-Descriptor descriptor_of(const StoredDescriptor& stored) {
-  Descriptor descriptor;
+perception::Descriptor descriptor_of(const StoredDescriptor& stored) {
+  perception::Descriptor descriptor;
   std::memcpy(descriptor.words.data(), stored.data(), stored.size());
   return descriptor;
 }
 
-}  // namespace striate
+}  // namespace striate::memory

@@ -2,12 +2,12 @@
 
 #include <vector>
 
-#include "memory/long_term/records.hpp"
-#include "perception/matching/descriptor_store.hpp"
-#include "perception/matching/hamming_search.hpp"
-#include "perception/recognition/consensus.hpp"
+#include "striate/memory/long_term/records.hpp"
+#include "striate/perception/matching/descriptor_store.hpp"
+#include "striate/perception/matching/hamming_search.hpp"
+#include "striate/perception/recognition/consensus.hpp"
 
-namespace striate {
+namespace striate::memory {
 
 /// How much two views have in common.
 struct Agreement {
@@ -19,18 +19,18 @@ struct Agreement {
 /// places agree on a pose. Keeps its buffers.
 class ViewComparer {
  public:
-  explicit ViewComparer(const RecognitionSettings& settings = {})
+  explicit ViewComparer(const perception::RecognitionSettings& settings = {})
       : settings_(settings), consensus_(settings) {}
 
   [[nodiscard]] Agreement compare(const StoredView& a, const StoredView& b);
 
  private:
-  RecognitionSettings settings_;
-  DescriptorStore store_;
-  HammingSearch search_;
-  ConsensusFinder consensus_;
-  std::vector<Descriptor> queries_;
-  std::vector<PlacePair> pairs_;
+  perception::RecognitionSettings settings_;
+  perception::DescriptorStore store_;
+  perception::HammingSearch search_;
+  perception::ConsensusFinder consensus_;
+  std::vector<perception::Descriptor> queries_;
+  std::vector<perception::PlacePair> pairs_;
 };
 
-}  // namespace striate
+}  // namespace striate::memory

@@ -1,11 +1,11 @@
-#include "memory/long_term/view_table.hpp"
+#include "striate/memory/long_term/view_table.hpp"
 
 #include <string>
 
-#include "memory/long_term/statement_use.hpp"
-#include "memory/long_term/view_codec.hpp"
+#include "striate/memory/long_term/statement_use.hpp"
+#include "striate/memory/long_term/view_codec.hpp"
 
-namespace striate {
+namespace striate::memory {
 namespace {
 
 const std::string kColumns =
@@ -43,17 +43,17 @@ std::int64_t ViewTable::add(const StoredView& view) {
       checksum_of_view(view.width_px, view.height_px, descriptors, keypoints)));
   use.with_bytes(descriptors.data(), descriptors.size());
   use.with_bytes(keypoints.data(), keypoints.size());
-  use.with(static_cast<std::int64_t>(crc32c(view.picture)));
-  if (view.picture.empty()) {
+  use.with(static_cast<std::int64_t>(crc32c(view.image)));
+  if (view.image.empty()) {
     use.with_null();
   } else {
-    use.with_bytes(view.picture.data(), view.picture.size());
+    use.with_bytes(view.image.data(), view.image.size());
   }
   use.run();
   return database_.getLastInsertRowid();
 }
 
-void ViewTable::read(const StatementUse& row, StoredView& view, bool with_picture) {
+void ViewTable::read(const StatementUse& row, StoredView& view, bool with_image) {
   view.id = row.column(0).getInt64();
   view.landmark = row.column(1).getInt64();
   view.session = row.column(2).getInt64();
@@ -67,12 +67,12 @@ void ViewTable::read(const StatementUse& row, StoredView& view, bool with_pictur
                  static_cast<std::uint32_t>(row.column(7).getInt64());
   unpack(descriptors, view.descriptors);
   unpack(keypoints, view.keypoints);
-  view.picture.clear();
-  if (with_picture) {
-    const auto picture = bytes_of(row.column(11));
-    // A damaged picture is left out: copied on, it would get a checksum that fits.
-    if (crc32c(picture) == static_cast<std::uint32_t>(row.column(10).getInt64())) {
-      view.picture.assign(picture.begin(), picture.end());
+  view.image.clear();
+  if (with_image) {
+    const auto image = bytes_of(row.column(11));
+    // A damaged image is left out: copied on, it would get a checksum that fits.
+    if (crc32c(image) == static_cast<std::uint32_t>(row.column(10).getInt64())) {
+      view.image.assign(image.begin(), image.end());
     }
   }
 }
@@ -109,4 +109,4 @@ void ViewTable::remove_of_session(std::int64_t session) {
   StatementUse(remove_empty_).with(session).run();
 }
 
-}  // namespace striate
+}  // namespace striate::memory

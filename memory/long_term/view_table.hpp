@@ -7,9 +7,9 @@
 #include <functional>
 #include <vector>
 
-#include "memory/long_term/records.hpp"
+#include "striate/memory/long_term/records.hpp"
 
-namespace striate {
+namespace striate::memory {
 
 class StatementUse;
 
@@ -20,10 +20,10 @@ class ViewTable {
 
   /// @return its id. The view has at least one keypoint and as many descriptors.
   std::int64_t add(const StoredView& view);
-  /// All views of a landmark with their pictures, the oldest first. Damaged ones say so; a
-  /// damaged picture is empty.
+  /// All views of a landmark with their images, the oldest first. Damaged ones say so; a
+  /// damaged image is empty.
   [[nodiscard]] std::vector<StoredView> of(std::int64_t landmark);
-  /// Hands every view of every landmark that is not retired to `take`, without its picture, in the
+  /// Hands every view of every landmark that is not retired to `take`, without its image, in the
   /// order of the file. The view is reused for the next one. Damaged ones are handed over too.
   void for_each(const std::function<void(const StoredView&)>& take);
   void remove(std::int64_t id);
@@ -33,10 +33,10 @@ class ViewTable {
   void remove_of_session(std::int64_t session);
 
  private:
-  static void read(const StatementUse& row, StoredView& view, bool with_picture);
+  static void read(const StatementUse& row, StoredView& view, bool with_image);
 
   SQLite::Database& database_;
   SQLite::Statement add_, of_, each_, remove_, count_of_session_, remove_of_session_, remove_empty_;
 };
 
-}  // namespace striate
+}  // namespace striate::memory

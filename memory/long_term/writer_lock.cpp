@@ -1,4 +1,4 @@
-#include "memory/long_term/writer_lock.hpp"
+#include "striate/memory/long_term/writer_lock.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -9,9 +9,9 @@
 #include <cerrno>
 #include <cstring>
 
-#include "base/user_error.hpp"
+#include "striate/base/user_error.hpp"
 
-namespace striate {
+namespace striate::memory {
 namespace {
 
 std::string holder_of(int descriptor) {
@@ -50,4 +50,4 @@ WriterLock::~WriterLock() {
   close(descriptor_);
 }
 
-}  // namespace striate
+}  // namespace striate::memory

@@ -2,7 +2,7 @@
 
 #include <string>
 
-namespace striate {
+namespace striate::memory {
 
 /// Only one session at a time writes into a memory. The lock is on FILE-lock beside it and goes
 /// with the process, whatever ends it; the file itself stays and says who holds it.
@@ -19,4 +19,4 @@ class WriterLock {
   int descriptor_ = -1;
 };
 
-}  // namespace striate
+}  // namespace striate::memory

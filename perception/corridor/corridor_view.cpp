@@ -1,13 +1,13 @@
-#include "perception/corridor/corridor_view.hpp"
+#include "striate/perception/corridor/corridor_view.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "perception/corridor/upright_plane.hpp"
-#include "perception/corridor/vanishing_point.hpp"
-#include "perception/corridor/wall_profile.hpp"
+#include "striate/perception/corridor/upright_plane.hpp"
+#include "striate/perception/corridor/vanishing_point.hpp"
+#include "striate/perception/corridor/wall_profile.hpp"
 
-namespace striate {
+namespace striate::perception {
 namespace {
 
 /// Weight in the score, where the best edges count 1: walls count as much (ours)
@@ -42,7 +42,7 @@ constexpr double kLostPer_px = 0.5;
 /// What stereo has to say.
 struct Depth {
   std::vector<SpacePoint> points;
-  std::vector<UprightPlane> planes;  ///< vanishing points in the picture that edges are found in
+  std::vector<UprightPlane> planes;  ///< vanishing points in the image that edges are found in
 };
 
 struct Candidate {
@@ -61,7 +61,7 @@ double heading_of(const VanishingPoint& point, const DisparityMap& camera, const
   return wrap_angle(head.pan_rad - std::atan2(right, forward));
 }
 
-/// The camera of `map`, as it is for a picture of another size.
+/// The camera of `map`, as it is for an image of another size.
 DisparityMap camera_for(const DisparityMap& map, cv::Size from, cv::Size to) {
   const double scale = static_cast<double>(to.width) / from.width;
   DisparityMap camera;
@@ -74,7 +74,7 @@ DisparityMap camera_for(const DisparityMap& map, cv::Size from, cv::Size to) {
 
 /// Edges count as far as they are long, many, meet in one place and point nowhere else as well;
 /// stereo's planes count by themselves, less the more the camera looks away from the corridor's
-/// axis (`aslant`: 0 along it, 1 at the widest angle). Weights fitted to simulated pictures of
+/// axis (`aslant`: 0 along it, 1 at the widest angle). Weights fitted to simulated images of
 /// known heading (tests/evaluation/obstacle_table): above 0.5 the heading was within 2 degrees.
 double confidence_of(const Candidate& best, double runner_up_score, double aslant) {
   const double lines_px = best.point.lines_left + best.point.lines_right;
@@ -157,4 +157,4 @@ CorridorView view_corridor(const cv::Mat1b& grey, const DisparityMap& map, const
   return view;
 }
 
-}  // namespace striate
+}  // namespace striate::perception

@@ -1,4 +1,4 @@
-#include "perception/corridor/edge_points.hpp"
+#include "striate/perception/corridor/edge_points.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -7,7 +7,7 @@
 #include <opencv2/imgproc.hpp>
 #include <span>
 
-namespace striate {
+namespace striate::perception {
 namespace {
 
 /// Grey levels per px: a step of 2.5 levels, which the blur makes 0.32 of itself per px
@@ -19,7 +19,7 @@ constexpr float kHighestFloor = 5.0F;
 /// Times the threshold: three medians, which 1 in 2^(3^2) = 512 pixels of noise exceeds
 constexpr float kFullWeight = 1.5F;
 
-/// px: a smaller picture has no pixel whose neighbourhood lies inside it
+/// px: a smaller image has no pixel whose neighbourhood lies inside it
 constexpr int kSmallestSide_px = 8;
 
 struct Gradients {
@@ -132,4 +132,4 @@ std::vector<EdgePoint> find_edge_points(const cv::Mat1b& grey) {
   return points;
 }
 
-}  // namespace striate
+}  // namespace striate::perception

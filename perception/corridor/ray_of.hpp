@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace striate {
+namespace striate::perception {
 
 constexpr int kRays = 360;  ///< directions in which lines leave a point
 
@@ -25,8 +25,8 @@ constexpr int kRays = 360;  ///< directions in which lines leave a point
   if (du < 0.0F) angle = kWhole - angle;
   if (dv < 0.0F) angle = -angle;
   /// 180 / pi: rays of one degree
-  constexpr float kRaysPerRad = kRays * 0.5F * std::numbers::inv_pi_v<float>;
-  const float ray = angle * kRaysPerRad + 0.5F * kRays;
+  constexpr float kRaysPer_rad = kRays * 0.5F * std::numbers::inv_pi_v<float>;
+  const float ray = angle * kRaysPer_rad + 0.5F * kRays;
   constexpr float kBorder = 0.05F;  ///< rays: twice the polynomial's error, which is 0.023
   const auto whole = static_cast<float>(static_cast<int>(std::min(2.0F * kRays, ray)));
   if (ray > whole + kBorder && ray < whole + 1.0F - kBorder) return static_cast<int>(whole);
@@ -34,4 +34,4 @@ constexpr int kRays = 360;  ///< directions in which lines leave a point
   return std::min(kRays - 1, static_cast<int>(turn * kRays));
 }
 
-}  // namespace striate
+}  // namespace striate::perception

@@ -1,10 +1,10 @@
-#include "perception/corridor/upright_plane.hpp"
+#include "striate/perception/corridor/upright_plane.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 
-namespace striate {
+namespace striate::perception {
 namespace {
 
 /// Confidence: all promises (0.5 and more) pass; of scores of 0.4 73 % are right (confidence_fit)
@@ -27,7 +27,7 @@ constexpr double kLeastWidth_px = 20.0;
 constexpr double kLeastAlong_m = 0.8;  ///< about a door leaf: what is shorter is furniture (ours)
 constexpr int kMostPlanes = 2;         ///< a corridor has two walls
 
-/// Samples; what is fewer than a twelfth of a full picture's is no plane but clutter (ours)
+/// Samples; what is fewer than a twelfth of a full image's is no plane but clutter (ours)
 constexpr std::size_t kFewestSamples = 60;
 /// Level disparity, px, 49 m away: keeps the ends of a plane on this side of its vanishing point
 constexpr double kFarthestLevel_px = 0.5;
@@ -147,4 +147,4 @@ std::vector<UprightPlane> find_upright_planes(const DisparityMap& map, const Vie
   return planes;
 }
 
-}  // namespace striate
+}  // namespace striate::perception

@@ -1,13 +1,13 @@
-#include "perception/corridor/vanishing_point.hpp"
+#include "striate/perception/corridor/vanishing_point.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <span>
 
-#include "perception/corridor/ray_of.hpp"
+#include "striate/perception/corridor/ray_of.hpp"
 
-namespace striate {
+namespace striate::perception {
 namespace {
 
 /// The least spread of a vote: finer bins would say nothing more
@@ -288,4 +288,4 @@ std::vector<VanishingPoint> find_vanishing_points(const std::vector<EdgePoint>& 
   return distinct;
 }
 
-}  // namespace striate
+}  // namespace striate::perception

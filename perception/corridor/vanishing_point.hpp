@@ -2,14 +2,14 @@
 
 #include <vector>
 
-#include "perception/corridor/edge_points.hpp"
+#include "striate/perception/corridor/edge_points.hpp"
 
-namespace striate {
+namespace striate::perception {
 
 /// The search for where the corridor's edges converge: on the horizon's row, near it at least.
 struct VanishingSearch {
   double horizon_v_px = 0.0;  ///< row of the horizon
-  double from_u_px = 0.0;     ///< columns searched, may lie outside the picture
+  double from_u_px = 0.0;     ///< columns searched, may lie outside the image
   double to_u_px = 0.0;
   std::vector<double> also_u_px;  ///< places to judge whatever the edges vote for
 };
@@ -32,4 +32,4 @@ struct VanishingPoint {
 [[nodiscard]] std::vector<VanishingPoint> find_vanishing_points(const std::vector<EdgePoint>& edges,
                                                                 const VanishingSearch& search);
 
-}  // namespace striate
+}  // namespace striate::perception

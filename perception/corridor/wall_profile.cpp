@@ -1,11 +1,11 @@
-#include "perception/corridor/wall_profile.hpp"
+#include "striate/perception/corridor/wall_profile.hpp"
 
 #include <algorithm>
 #include <array>
 #include <bitset>
 #include <cmath>
 
-namespace striate {
+namespace striate::perception {
 namespace {
 
 /// Confidence: all promises (0.5 and more) pass; of scores of 0.4 73 % are right (confidence_fit)
@@ -129,4 +129,4 @@ Walls find_walls(const std::vector<SpacePoint>& points, double heading_rad) {
   return {strongest_wall(left, left_sides), strongest_wall(right, right_sides)};
 }
 
-}  // namespace striate
+}  // namespace striate::perception

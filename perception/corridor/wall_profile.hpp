@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include "perception/obstacles/view_geometry.hpp"
+#include "striate/perception/obstacles/view_geometry.hpp"
 
-namespace striate {
+namespace striate::perception {
 
 /// The trusted points above the floor, up to the ceiling: what may be wall.
 [[nodiscard]] std::vector<SpacePoint> collect_wall_points(const DisparityMap& map,
@@ -28,4 +28,4 @@ struct Walls {
 /// covered, not how many points there are, so that one near, well textured box is no wall.
 [[nodiscard]] Walls find_walls(const std::vector<SpacePoint>& points, double heading_rad);
 
-}  // namespace striate
+}  // namespace striate::perception

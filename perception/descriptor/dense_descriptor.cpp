@@ -1,18 +1,18 @@
 #define HWY_WANT_AVX3_DL 1
 
-#include "perception/descriptor/dense_descriptor.hpp"
+#include "striate/perception/descriptor/dense_descriptor.hpp"
 
 #include <bit>
 #include <cstddef>
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "perception/descriptor/dense_descriptor.cpp"
+#define HWY_TARGET_INCLUDE "striate/perception/descriptor/dense_descriptor.cpp"
 #include <hwy/foreach_target.h>
 // After foreach_target.h, which defines the target.
 #include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
-namespace striate::HWY_NAMESPACE {
+namespace striate::perception::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 /// Where the points lie in the planes of codes, as offsets from the centre.
@@ -59,11 +59,11 @@ void DescribeRow(const std::int16_t* const* centre_rows, const Offsets& offsets,
   }
 }
 
-}  // namespace striate::HWY_NAMESPACE
+}  // namespace striate::perception::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-namespace striate {
+namespace striate::perception {
 
 HWY_EXPORT(DescribeRow);
 
@@ -105,5 +105,5 @@ int hamming_distance(const Descriptor& a, const Descriptor& b) {
   return distance;
 }
 
-}  // namespace striate
+}  // namespace striate::perception
 #endif

@@ -3,13 +3,13 @@
 #include <array>
 #include <cstdint>
 
-#include "perception/descriptor/descriptor_points.hpp"
-#include "perception/percept.hpp"
-#include "perception/v1/v1_cells.hpp"
+#include "striate/perception/descriptor/descriptor_points.hpp"
+#include "striate/perception/percept.hpp"
+#include "striate/perception/v1/v1_cells.hpp"
 
-namespace striate {
+namespace striate::perception {
 
-/// Descriptors of one picture row as 32 byte planes: byte p of pixel x is at
+/// Descriptors of one image row as 32 byte planes: byte p of pixel x is at
 /// `data[p * stride + x]`; its bit i is set where C_i at the centre is larger than C_i at point p.
 struct DescriptorRow {
   std::uint8_t* data = nullptr;
@@ -30,4 +30,4 @@ void describe_row(const V1Responses& responses,
 /// Number of bits in which two descriptors differ, 0..256.
 [[nodiscard]] int hamming_distance(const Descriptor& a, const Descriptor& b);
 
-}  // namespace striate
+}  // namespace striate::perception

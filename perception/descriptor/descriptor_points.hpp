@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace striate {
+namespace striate::perception {
 
 inline constexpr int kDescriptorPoints = 32;  ///< on 4 circles; paper, section on the descriptor
 /// 32 points x 8 orientations; paper, section on the descriptor
@@ -46,4 +46,4 @@ struct DescriptorPoint {
   return static_cast<int>(std::ceil(wavelength_px * widening)) + 1;
 }
 
-}  // namespace striate
+}  // namespace striate::perception

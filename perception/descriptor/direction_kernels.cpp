@@ -1,19 +1,19 @@
 #define HWY_WANT_AVX3_DL 1
 
-#include "perception/descriptor/direction_kernels.hpp"
+#include "striate/perception/descriptor/direction_kernels.hpp"
 
 #include <cmath>
 #include <numbers>
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "perception/descriptor/direction_kernels.cpp"
+#define HWY_TARGET_INCLUDE "striate/perception/descriptor/direction_kernels.cpp"
 #include <hwy/foreach_target.h>
 // After foreach_target.h, which defines the target.
 #include <hwy/highway.h>
 
 #ifndef STRIATE_ORIENTATION_VECTORS
 #define STRIATE_ORIENTATION_VECTORS
-namespace striate::direction_kernels {
+namespace striate::perception::direction_kernels {
 
 /// cos and sin of each orientation.
 struct OrientationVectors {
@@ -27,11 +27,11 @@ struct OrientationVectors {
   }
 };
 
-}  // namespace striate::direction_kernels
+}  // namespace striate::perception::direction_kernels
 #endif
 
 HWY_BEFORE_NAMESPACE();
-namespace striate::direction_kernels::HWY_NAMESPACE {
+namespace striate::perception::direction_kernels::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 using D = hn::CappedTag<float, kColumns>;
@@ -99,11 +99,11 @@ void ShareDirections(const pooling_kernels::OddWindow& at, const Weights& weight
   }
 }
 
-}  // namespace striate::direction_kernels::HWY_NAMESPACE
+}  // namespace striate::perception::direction_kernels::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-namespace striate::direction_kernels {
+namespace striate::perception::direction_kernels {
 
 HWY_EXPORT(ShareDirections);
 
@@ -112,5 +112,5 @@ void share_directions(const pooling_kernels::OddWindow& at, const Weights& weigh
   HWY_DYNAMIC_DISPATCH(ShareDirections)(at, weights, vectors, out);
 }
 
-}  // namespace striate::direction_kernels
+}  // namespace striate::perception::direction_kernels
 #endif

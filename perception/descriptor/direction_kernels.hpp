@@ -4,11 +4,11 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "perception/descriptor/pooling_kernels.hpp"
+#include "striate/perception/descriptor/pooling_kernels.hpp"
 
 /// The vector code of dominant_angles(), dispatched at run time. Single precision without fused
 /// operations: the same bits on every instruction set.
-namespace striate::direction_kernels {
+namespace striate::perception::direction_kernels {
 
 /// Looked at before the place, in u and v: 3 sigma of dominant_angle.cpp
 inline constexpr int kBefore_px = 6;
@@ -34,4 +34,4 @@ struct Shares {
 /// @param at the pixel of the place, kBefore_px behind the first one.
 void share_directions(const pooling_kernels::OddWindow& at, const Weights& weights, Shares& out);
 
-}  // namespace striate::direction_kernels
+}  // namespace striate::perception::direction_kernels

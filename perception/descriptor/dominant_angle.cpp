@@ -1,12 +1,12 @@
-#include "perception/descriptor/dominant_angle.hpp"
+#include "striate/perception/descriptor/dominant_angle.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "perception/descriptor/direction_kernels.hpp"
+#include "striate/perception/descriptor/direction_kernels.hpp"
 
-namespace striate {
+namespace striate::perception {
 namespace {
 
 using direction_kernels::kBefore_px;
@@ -103,4 +103,4 @@ DominantAngles dominant_angles(const pooling_kernels::OddWindow& at, double u, d
   return result;
 }
 
-}  // namespace striate
+}  // namespace striate::perception

@@ -1,21 +1,21 @@
 #define HWY_WANT_AVX3_DL 1
 
-#include "perception/descriptor/phase_code.hpp"
+#include "striate/perception/descriptor/phase_code.hpp"
 
 #include <algorithm>
 #include <cstring>
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "perception/descriptor/phase_code.cpp"
+#define HWY_TARGET_INCLUDE "striate/perception/descriptor/phase_code.cpp"
 #include <hwy/foreach_target.h>
 // After foreach_target.h, which defines the target.
 #include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
-namespace striate::HWY_NAMESPACE {
+namespace striate::perception::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// One picture row: 8 rows of even and odd responses to 4 rows of bytes.
+/// One image row: 8 rows of even and odd responses to 4 rows of bytes.
 void PhaseRow(const std::int16_t* const* even_rows, const std::int16_t* const* odd_rows, int width,
               std::uint8_t* const* out) {
   const hn::ScalableTag<std::int16_t> d16;
@@ -40,11 +40,11 @@ void PhaseRow(const std::int16_t* const* even_rows, const std::int16_t* const* o
   }
 }
 
-}  // namespace striate::HWY_NAMESPACE
+}  // namespace striate::perception::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-namespace striate {
+namespace striate::perception {
 namespace {
 
 void continue_beyond_border(Plane<std::uint8_t>& plane) {
@@ -85,5 +85,5 @@ void phase_codes(const V1Responses& responses, int margin, PhaseCodes& out) {
   for (Plane<std::uint8_t>& plane : out.bytes) continue_beyond_border(plane);
 }
 
-}  // namespace striate
+}  // namespace striate::perception
 #endif

@@ -3,10 +3,10 @@
 #include <array>
 #include <cstdint>
 
-#include "perception/descriptor/descriptor_points.hpp"
-#include "perception/v1/v1_cells.hpp"
+#include "striate/perception/descriptor/descriptor_points.hpp"
+#include "striate/perception/v1/v1_cells.hpp"
 
-namespace striate {
+namespace striate::perception {
 
 /// Comparisons a phase, each a bit of 8 orientations: eighths of a turn need 4
 inline constexpr int kPhaseBytes = 4;
@@ -35,4 +35,4 @@ struct PhaseCodes {
 /// @param margin columns readable beyond the border, besides kPhaseReach.
 void phase_codes(const V1Responses& responses, int margin, PhaseCodes& out);
 
-}  // namespace striate
+}  // namespace striate::perception

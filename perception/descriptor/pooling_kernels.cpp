@@ -1,17 +1,17 @@
 #define HWY_WANT_AVX3_DL 1
 
-#include "perception/descriptor/pooling_kernels.hpp"
+#include "striate/perception/descriptor/pooling_kernels.hpp"
 
 #include <cstddef>
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "perception/descriptor/pooling_kernels.cpp"
+#define HWY_TARGET_INCLUDE "striate/perception/descriptor/pooling_kernels.cpp"
 #include <hwy/foreach_target.h>
 // After foreach_target.h, which defines the target.
 #include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
-namespace striate::pooling_kernels::HWY_NAMESPACE {
+namespace striate::perception::pooling_kernels::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 std::int16_t LargestResponse(const OddWindow& window) {
@@ -32,7 +32,7 @@ std::int16_t LargestResponse(const OddWindow& window) {
   return hn::GetLane(hn::MaxOfLanes(d, largest));
 }
 
-/// The 9 neighbouring directions that a turned picture's 8 lie between.
+/// The 9 neighbouring directions that a turned image's 8 lie between.
 struct Directions {
   const std::int16_t* plane[kOrientations + 1];
   std::int16_t factor[kOrientations + 1];
@@ -163,11 +163,11 @@ void PoolAll(const std::int16_t* HWY_RESTRICT window, std::span<const Pool> pool
   }
 }
 
-}  // namespace striate::pooling_kernels::HWY_NAMESPACE
+}  // namespace striate::perception::pooling_kernels::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-namespace striate::pooling_kernels {
+namespace striate::perception::pooling_kernels {
 
 HWY_EXPORT(LargestResponse);
 HWY_EXPORT(TurnWindow);
@@ -185,5 +185,5 @@ void pool(const std::int16_t* window, std::span<const Pool> pools, std::int16_t*
   HWY_DYNAMIC_DISPATCH(PoolAll)(window, pools, out);
 }
 
-}  // namespace striate::pooling_kernels
+}  // namespace striate::perception::pooling_kernels
 #endif

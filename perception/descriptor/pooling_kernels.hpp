@@ -4,11 +4,11 @@
 #include <cstdint>
 #include <span>
 
-#include "perception/v1/v1_settings.hpp"
+#include "striate/perception/v1/v1_settings.hpp"
 
 /// The vector code of StriateDescriber, dispatched at run time; 16-bit integers throughout, the
 /// same bits on every instruction set.
-namespace striate::pooling_kernels {
+namespace striate::perception::pooling_kernels {
 
 /// 11 px before the place and 13 behind: the outer circle (5.35) and its Gaussian's taps
 inline constexpr int kWindowSide_px = 24;
@@ -26,7 +26,7 @@ struct OddWindow {
 /// Largest absolute value in the window; at most 32767.
 [[nodiscard]] std::int16_t largest_response(const OddWindow& window);
 
-/// What the cells of a turned picture would say: orientation i lies between i + quarter turns of
+/// What the cells of a turned image would say: orientation i lies between i + quarter turns of
 /// pi / 8 and the next.
 struct Turn {
   int steps = 0;              ///< of pi / 8, 0..15
@@ -54,4 +54,4 @@ struct Pool {
 /// @param window as turn_window() writes it. @param out kChannels values a pool.
 void pool(const std::int16_t* window, std::span<const Pool> pools, std::int16_t* out);
 
-}  // namespace striate::pooling_kernels
+}  // namespace striate::perception::pooling_kernels

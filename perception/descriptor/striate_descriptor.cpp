@@ -1,4 +1,4 @@
-#include "perception/descriptor/striate_descriptor.hpp"
+#include "striate/perception/descriptor/striate_descriptor.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -7,7 +7,7 @@
 #include <numbers>
 #include <stdexcept>
 
-namespace striate {
+namespace striate::perception {
 namespace {
 
 using pooling_kernels::kWindowSide_px;
@@ -255,4 +255,4 @@ void StriateDescriber::describe(std::span<const DescribedFrame> frames,
   });
 }
 
-}  // namespace striate
+}  // namespace striate::perception

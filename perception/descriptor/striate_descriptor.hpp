@@ -6,17 +6,17 @@
 #include <span>
 #include <vector>
 
-#include "perception/descriptor/dominant_angle.hpp"
-#include "perception/descriptor/pooling_kernels.hpp"
-#include "perception/descriptor/striate_table.hpp"
-#include "perception/descriptor/v1_scales.hpp"
-#include "perception/percept.hpp"
+#include "striate/perception/descriptor/dominant_angle.hpp"
+#include "striate/perception/descriptor/pooling_kernels.hpp"
+#include "striate/perception/descriptor/striate_table.hpp"
+#include "striate/perception/descriptor/v1_scales.hpp"
+#include "striate/perception/percept.hpp"
 
-namespace striate {
+namespace striate::perception {
 
 enum class StriateOrientation {
   given,     ///< the frame's angle
-  upright,   ///< none: the picture's own
+  upright,   ///< none: the image's own
   dominant,  ///< of the odd V1 responses around the frame
 };
 
@@ -42,12 +42,12 @@ struct DescribedPlace {
   std::int16_t largest = 0;  ///< of the window's responses
 };
 
-/// Striate's own 256-bit descriptor. Ours; only V1 responses enter. The picture is taken at the
+/// Striate's own 256-bit descriptor. Ours; only V1 responses enter. The image is taken at the
 /// size at which a frame's diameter is about 2 px (sizes are a quarter of an octave apart), where
 /// odd simple cells of lambda = 3 px (1.5 diameters) respond once for all frames of that size. What
-/// they would say of the turned picture lies between the responses of neighbouring orientations;
+/// they would say of the turned image lies between the responses of neighbouring orientations;
 /// Gaussians that grow with the distance pool it at 25 points on 4 circles. A bit compares two
-/// pooled responses; which ones and by how much was learned on made pictures
+/// pooled responses; which ones and by how much was learned on made images
 /// (`striate learn-descriptor`). Integer arithmetic: the same bits on every instruction set. Match
 /// by Hamming distance. Keeps its buffers.
 class StriateDescriber {
@@ -57,7 +57,7 @@ class StriateDescriber {
   /// @param grey any size; empty throws std::invalid_argument.
   void prepare(const cv::Mat1b& grey);
 
-  /// Of frames of the picture prepared; a place outside counts as the nearest one inside.
+  /// Of frames of the image prepared; a place outside counts as the nearest one inside.
   /// @throws std::invalid_argument for a size that is not above 0 or a number that is not finite.
   void describe(std::span<const DescribedFrame> frames, std::vector<Descriptor>& out);
 
@@ -95,4 +95,4 @@ class StriateDescriber {
   PooledResponses one_{};
 };
 
-}  // namespace striate
+}  // namespace striate::perception

@@ -1,17 +1,17 @@
-#include "perception/descriptor/striate_table.hpp"
+#include "striate/perception/descriptor/striate_table.hpp"
 
 #include <fmt/format.h>
 
 #include <sstream>
 
-#include "base/user_error.hpp"
+#include "striate/base/user_error.hpp"
 
-namespace striate {
+namespace striate::perception {
 namespace {
 
 // The file is a raw string literal, so that it is both readable and part of the program.
 constexpr const char* kShipped =
-#include "perception/descriptor/striate_256.inc"
+#include "striate/perception/descriptor/striate_256.inc"
     ;
 
 /// Thousandths of the mean: 100 times the mean response, more than any patch has
@@ -71,4 +71,4 @@ std::string striate_table_text(const std::vector<StriateBit>& bits, const std::s
   return text + ")\"\n";
 }
 
-}  // namespace striate
+}  // namespace striate::perception

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace striate {
+namespace striate::perception {
 
 /// 1 + 6 + 8 + 10 on the circles of striate_descriptor.cpp
 inline constexpr int kPooledPoints = 25;
@@ -27,11 +27,11 @@ using StriateTable = std::array<StriateBit, 256>;
 /// @throws UserError with name:line where one is wrong.
 [[nodiscard]] StriateTable parse_striate_table(const std::string& text, const std::string& name);
 
-/// The table that ships: learned on made pictures by `striate learn-descriptor`.
+/// The table that ships: learned on made images by `striate learn-descriptor`.
 [[nodiscard]] const StriateTable& shipped_striate_table();
 
 /// As parse_striate_table() reads it. @param header comment lines, each beginning with #.
 [[nodiscard]] std::string striate_table_text(const std::vector<StriateBit>& bits,
                                              const std::string& header);
 
-}  // namespace striate
+}  // namespace striate::perception

@@ -1,22 +1,22 @@
-#include "perception/descriptor/v1_scales.hpp"
+#include "striate/perception/descriptor/v1_scales.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 #include <stdexcept>
 
-namespace striate {
+namespace striate::perception {
 namespace {
 
-/// Half a V1 kernel (15 px at lambda = 3): a smaller picture shows it nothing
+/// Half a V1 kernel (15 px at lambda = 3): a smaller image shows it nothing
 constexpr int kSmallestSide_px = 8;
-/// One octave finer than the picture: an enlargement holds nothing more
+/// One octave finer than the image: an enlargement holds nothing more
 constexpr int kFinestLevel = -V1Scales::kPerOctave;
 
 }  // namespace
 
 void V1Scales::prepare(const cv::Mat1b& grey) {
-  if (grey.empty()) throw std::invalid_argument("V1Scales: the picture is empty");
+  if (grey.empty()) throw std::invalid_argument("V1Scales: the image is empty");
   if (halvings_.empty()) halvings_.resize(1);
   grey.copyTo(halvings_[0]);
   halved_ = 1;
@@ -39,7 +39,7 @@ int V1Scales::level_of(double step_px) const {
 }
 
 V1Field V1Scales::respond(int level, const cv::Rect2d& box) {
-  if (halved_ == 0) throw std::invalid_argument("V1Scales: no picture was prepared");
+  if (halved_ == 0) throw std::invalid_argument("V1Scales: no image was prepared");
   const double step_px = std::exp2(static_cast<double>(level) / kPerOctave);
   const int half = std::clamp((level + kPerOctave / 2) / kPerOctave, 0, halved_ - 1);
   const cv::Mat1b& from = halvings_[static_cast<std::size_t>(half)];
@@ -60,10 +60,10 @@ V1Field V1Scales::respond(int level, const cv::Rect2d& box) {
   const int bottom = static_cast<int>(field.v_of(box.y + box.height));
   field.left = left - reach;
   field.top = top - reach;
-  // The padded picture begins `reach` before the picture.
+  // The padded image begins `reach` before the image.
   const cv::Rect part(left, top, right - left + 2 * reach + 1, bottom - top + 2 * reach + 1);
   cells_.respond_simple(padded_(part), SimpleCells::odd, responses_);
   return field;
 }
 
-}  // namespace striate
+}  // namespace striate::perception

@@ -1,10 +1,10 @@
-#include "perception/keypoints/end_stopped.hpp"
+#include "striate/perception/keypoints/end_stopped.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-namespace striate {
+namespace striate::perception {
 namespace {
 
 /// @param share all weights are multiplied by it, 0..1.
@@ -113,4 +113,4 @@ void EndStoppedCells::respond(const V1Responses& responses, Plane<std::uint16_t>
   }
 }
 
-}  // namespace striate
+}  // namespace striate::perception

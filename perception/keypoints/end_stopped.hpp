@@ -3,11 +3,11 @@
 #include <array>
 #include <cstdint>
 
-#include "perception/keypoints/end_stopped_kernels.hpp"
-#include "perception/keypoints/keypoint_settings.hpp"
-#include "perception/v1/v1_cells.hpp"
+#include "striate/perception/keypoints/end_stopped_kernels.hpp"
+#include "striate/perception/keypoints/keypoint_settings.hpp"
+#include "striate/perception/v1/v1_cells.hpp"
 
-namespace striate {
+namespace striate::perception {
 
 /// A place between pixels: four neighbours and their bilinear weights in 1/32768.
 struct Sample {
@@ -45,7 +45,7 @@ struct EndStoppedGeometry {
 /// Terzic, Rodrigues and du Buf 2013):
 ///   K = [ sum D_i - g (I_T + I_R) ]+   or with the larger of sum S_i and sum D_i.
 /// In 16-bit integers, sums saturating, so that every instruction set gives the same bits. Works
-/// down the picture row by row; the few rows that it looks at stay in the cache.
+/// down the image row by row; the few rows that it looks at stay in the cache.
 class EndStoppedCells {
  public:
   EndStoppedCells(double wavelength_px, const KeypointSettings& settings);
@@ -67,4 +67,4 @@ class EndStoppedCells {
   end_stopped_kernels::RowJob job_;
 };
 
-}  // namespace striate
+}  // namespace striate::perception

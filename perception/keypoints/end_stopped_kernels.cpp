@@ -1,15 +1,15 @@
 #define HWY_WANT_AVX3_DL 1
 
-#include "perception/keypoints/end_stopped_kernels.hpp"
+#include "striate/perception/keypoints/end_stopped_kernels.hpp"
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "perception/keypoints/end_stopped_kernels.cpp"
+#define HWY_TARGET_INCLUDE "striate/perception/keypoints/end_stopped_kernels.cpp"
 #include <hwy/foreach_target.h>
 // After foreach_target.h, which defines the target.
 #include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
-namespace striate::end_stopped_kernels::HWY_NAMESPACE {
+namespace striate::perception::end_stopped_kernels::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 using D32 = hn::ScalableTag<std::int32_t>;
@@ -100,11 +100,11 @@ void RespondRow(const RowJob& job, int width, std::uint16_t* HWY_RESTRICT out) {
   }
 }
 
-}  // namespace striate::end_stopped_kernels::HWY_NAMESPACE
+}  // namespace striate::perception::end_stopped_kernels::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-namespace striate::end_stopped_kernels {
+namespace striate::perception::end_stopped_kernels {
 
 HWY_EXPORT(Amplitudes);
 HWY_EXPORT(RespondRow);
@@ -117,5 +117,5 @@ void respond_row(const RowJob& job, int width, std::uint16_t* out) {
   HWY_DYNAMIC_DISPATCH(RespondRow)(job, width, out);
 }
 
-}  // namespace striate::end_stopped_kernels
+}  // namespace striate::perception::end_stopped_kernels
 #endif

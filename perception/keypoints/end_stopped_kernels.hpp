@@ -3,10 +3,10 @@
 #include <array>
 #include <cstdint>
 
-#include "perception/v1/v1_settings.hpp"
+#include "striate/perception/v1/v1_settings.hpp"
 
 /// The vector code of EndStoppedCells, dispatched at run time; 16-bit integers throughout.
-namespace striate::end_stopped_kernels {
+namespace striate::perception::end_stopped_kernels {
 
 /// C_i from its code (see complex_response), to the nearest whole number.
 void amplitudes(const std::int16_t* code, int count, std::uint16_t* out);
@@ -33,4 +33,4 @@ struct RowJob {
 };
 void respond_row(const RowJob& job, int width, std::uint16_t* out);
 
-}  // namespace striate::end_stopped_kernels
+}  // namespace striate::perception::end_stopped_kernels

@@ -1,9 +1,9 @@
-#include "perception/keypoints/keep_apart.hpp"
+#include "striate/perception/keypoints/keep_apart.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-namespace striate {
+namespace striate::perception {
 namespace {
 
 constexpr int kNeighbours = 2;  ///< scales: an octave
@@ -63,4 +63,4 @@ bool KeepApart::keep(const FoundPlace& place, int scale) {
   return true;
 }
 
-}  // namespace striate
+}  // namespace striate::perception

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-namespace striate {
+namespace striate::perception {
 
 /// A place with the distance within which it suffers no weaker one.
 struct FoundPlace {
@@ -39,4 +39,4 @@ class KeepApart {
   std::vector<Noted> noted_;
 };
 
-}  // namespace striate
+}  // namespace striate::perception

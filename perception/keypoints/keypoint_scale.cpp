@@ -1,11 +1,11 @@
-#include "perception/keypoints/keypoint_scale.hpp"
+#include "striate/perception/keypoints/keypoint_scale.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "perception/descriptor/dense_descriptor.hpp"
+#include "striate/perception/descriptor/dense_descriptor.hpp"
 
-namespace striate {
+namespace striate::perception {
 namespace {
 
 V1Settings v1_settings(double wavelength_px) {
@@ -30,9 +30,9 @@ KeypointScale::KeypointScale(int index, double wavelength_px, const KeypointSett
       end_stopped_cells_(wavelength_px, settings),
       points_(descriptor_points(wavelength_px, 1.0)) {}
 
-void KeypointScale::find(const cv::Mat1b& picture, std::vector<Candidate>& out) {
+void KeypointScale::find(const cv::Mat1b& image, std::vector<Candidate>& out) {
   const int reach = std::max(end_stopped_cells_.reach(), descriptor_reach(wavelength_px_, 1.0));
-  v1_cells_.respond(picture, reach, false, responses_);
+  v1_cells_.respond(image, reach, false, responses_);
   end_stopped_cells_.respond(responses_, response_);
   const double least = settings_.threshold * largest_value(response_);
   find_strict_maxima(response_, static_cast<int>(std::ceil(wavelength_px_)),
@@ -61,4 +61,4 @@ Descriptor KeypointScale::describe(const Candidate& candidate) const {
                         static_cast<int>(std::lround(candidate.v_px)));
 }
 
-}  // namespace striate
+}  // namespace striate::perception

@@ -3,17 +3,17 @@
 #include <opencv2/core/mat.hpp>
 #include <vector>
 
-#include "perception/descriptor/descriptor_points.hpp"
-#include "perception/keypoints/end_stopped.hpp"
-#include "perception/keypoints/maxima.hpp"
-#include "perception/percept.hpp"
-#include "perception/v1/v1_cells.hpp"
+#include "striate/perception/descriptor/descriptor_points.hpp"
+#include "striate/perception/keypoints/end_stopped.hpp"
+#include "striate/perception/keypoints/maxima.hpp"
+#include "striate/perception/percept.hpp"
+#include "striate/perception/v1/v1_cells.hpp"
 
-namespace striate {
+namespace striate::perception {
 
 /// A keypoint before it is chosen and described.
 struct Candidate {
-  double u_px = 0.0;  ///< in the picture of its level
+  double u_px = 0.0;  ///< in the image of its level
   double v_px = 0.0;
   double response = 0.0;  ///< comparable between scales
   int scale = 0;
@@ -25,10 +25,10 @@ class KeypointScale {
   /// @param index 0 for the finest; two per octave.
   KeypointScale(int index, double wavelength_px, const KeypointSettings& settings);
 
-  /// Adds the maxima of K in the picture of this level; more than the settings' `most` never.
-  void find(const cv::Mat1b& picture, std::vector<Candidate>& out);
+  /// Adds the maxima of K in the image of this level; more than the settings' `most` never.
+  void find(const cv::Mat1b& image, std::vector<Candidate>& out);
 
-  /// The descriptor of the nearest pixel, from the picture found in last. What describes a
+  /// The descriptor of the nearest pixel, from the image found in last. What describes a
   /// keypoint is chosen here and nowhere else.
   [[nodiscard]] Descriptor describe(const Candidate& candidate) const;
 
@@ -44,4 +44,4 @@ class KeypointScale {
   std::vector<GridPoint> maxima_;
 };
 
-}  // namespace striate
+}  // namespace striate::perception

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "config/settings.hpp"
+#include "striate/config/settings.hpp"
 
-namespace striate {
+namespace striate::perception {
 
 /// Which end-stopped cells make the keypoint response.
 enum class EndStoppedResponse {
@@ -12,9 +12,9 @@ enum class EndStoppedResponse {
 
 /// Keypoints of one or many scales, two per octave.
 struct KeypointSettings {
-  /// Lambda of the finest scale, in the picture that is handed in; the paper's one scale
+  /// Lambda of the finest scale, in the image that is handed in; the paper's one scale
   double wavelength_px = 8.0;
-  bool halve = true;  ///< lambda / 2 on the picture at half its size: the same up to blur
+  bool halve = true;  ///< lambda / 2 on the image at half its size: the same up to blur
   int scales = 1;     ///< wavelength_px * sqrt(2)^k, k = 0 .. scales - 1
   EndStoppedResponse response = EndStoppedResponse::double_stopped;
   /// G: weight of tangential and radial inhibition; the model's 1 repeats less (README)
@@ -32,7 +32,7 @@ template <class V>
 void visit(V& v, KeypointSettings& s) {
   using config::Unit;
   v.number("wavelength", s.wavelength_px, Unit::pixels, {3.0, 24.0}, "of the V1 cells");
-  v.flag("halve", s.halve, "use half the wavelength on the picture at half its size");
+  v.flag("halve", s.halve, "use half the wavelength on the image at half its size");
   v.integer("scales", s.scales, {1, 13}, "two per octave, from 'wavelength' upwards");
   v.choice("response", s.response, {"double_stopped", "largest"},
            "K_D alone or the larger of K_S and K_D");
@@ -45,4 +45,4 @@ void visit(V& v, KeypointSettings& s) {
   v.integer("most", s.most, {1, 100000}, "the strongest so many keypoints are kept");
 }
 
-}  // namespace striate
+}  // namespace striate::perception

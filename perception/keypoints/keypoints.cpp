@@ -1,4 +1,4 @@
-#include "perception/keypoints/keypoints.hpp"
+#include "striate/perception/keypoints/keypoints.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,9 +6,9 @@
 #include <opencv2/imgproc.hpp>
 #include <stdexcept>
 
-#include "base/user_error.hpp"
+#include "striate/base/user_error.hpp"
 
-namespace striate {
+namespace striate::perception {
 namespace {
 
 /// Of the finest scale, in pixels of the level that is worked on.
@@ -17,7 +17,7 @@ double first_wavelength(const KeypointSettings& s) {
   const double largest_px = s.scales > 1 ? 12.0 / std::numbers::sqrt2 : 12.0;
   if (!(wavelength_px >= 3.0 && wavelength_px <= largest_px)) {
     throw UserError(
-        "keypoints: the wavelength on the picture that is worked on must be 3 .. 12 px "
+        "keypoints: the wavelength on the image that is worked on must be 3 .. 12 px "
         "(.. 8.4 px with several scales)");
   }
   if (s.most < 1) throw UserError("keypoints: 'most' must be at least 1");
@@ -54,7 +54,7 @@ KeypointFinder::KeypointFinder(const KeypointSettings& settings) : settings_(set
   pyramid_.resize(static_cast<std::size_t>(level_of(settings, settings.scales - 1)) + 1);
 }
 
-/// Pixels of the given picture in a pixel of the level of a scale.
+/// Pixels of the given image in a pixel of the level of a scale.
 double KeypointFinder::level_px(int scale) const {
   return std::ldexp(1.0, level_of(settings_, scale));
 }
@@ -65,7 +65,7 @@ void KeypointFinder::build_pyramid(const cv::Mat1b& grey) {
 }
 
 /// Of all candidates the strongest that are apart.
-void KeypointFinder::choose(cv::Size picture) {
+void KeypointFinder::choose(cv::Size image) {
   const auto most = static_cast<std::size_t>(settings_.most);
   if (scales_.size() == 1 || settings_.apart <= 0.0) {
     const std::size_t kept = std::min(most, candidates_.size());
@@ -76,7 +76,7 @@ void KeypointFinder::choose(cv::Size picture) {
   }
   std::sort(candidates_.begin(), candidates_.end(), stronger);
   const double radius_px = settings_.apart * settings_.wavelength_px;
-  keep_apart_.begin(picture.width, picture.height, radius_px, settings_.scales);
+  keep_apart_.begin(image.width, image.height, radius_px, settings_.scales);
   std::size_t kept = 0;
   for (const Candidate& candidate : candidates_) {
     const double size_px = level_px(candidate.scale);
@@ -96,7 +96,7 @@ void KeypointFinder::find(const cv::Mat1b& grey, std::vector<Keypoint>& out) {
 }
 
 void KeypointFinder::locate(const cv::Mat1b& grey, std::vector<Keypoint>& out) {
-  if (grey.empty()) throw std::invalid_argument("KeypointFinder: the picture is empty");
+  if (grey.empty()) throw std::invalid_argument("KeypointFinder: the image is empty");
   build_pyramid(grey);
   candidates_.clear();
   for (int k = 0; k < settings_.scales; ++k) {
@@ -107,7 +107,7 @@ void KeypointFinder::locate(const cv::Mat1b& grey, std::vector<Keypoint>& out) {
   pyramid_[0].release();
   out.clear();
   for (const Candidate& candidate : candidates_) {
-    // A pixel of a halved picture is the mean of 2x2: its centre lies between them.
+    // A pixel of a halved image is the mean of 2x2: its centre lies between them.
     const double size_px = level_px(candidate.scale);
     Keypoint& point = out.emplace_back();
     point.u_px = (candidate.u_px + 0.5) * size_px - 0.5;
@@ -127,4 +127,4 @@ std::vector<Keypoint> find_keypoints(const cv::Mat1b& grey, const KeypointSettin
   return KeypointFinder(settings).find(grey);
 }
 
-}  // namespace striate
+}  // namespace striate::perception

@@ -3,12 +3,12 @@
 #include <opencv2/core/mat.hpp>
 #include <vector>
 
-#include "perception/keypoints/keep_apart.hpp"
-#include "perception/keypoints/keypoint_scale.hpp"
-#include "perception/keypoints/keypoint_settings.hpp"
-#include "perception/percept.hpp"
+#include "striate/perception/keypoints/keep_apart.hpp"
+#include "striate/perception/keypoints/keypoint_scale.hpp"
+#include "striate/perception/keypoints/keypoint_settings.hpp"
+#include "striate/perception/percept.hpp"
 
-namespace striate {
+namespace striate::perception {
 
 /// End-stopped cells with tangential and radial inhibition (Rodrigues and du Buf 2006, 2009;
 /// Terzic, Rodrigues and du Buf 2013): corners, junctions, line ends and blobs, at one scale or
@@ -30,12 +30,12 @@ class KeypointFinder {
 
  private:
   void build_pyramid(const cv::Mat1b& grey);
-  void choose(cv::Size picture);
+  void choose(cv::Size image);
   [[nodiscard]] double level_px(int scale) const;
 
   KeypointSettings settings_;
   std::vector<KeypointScale> scales_;
-  std::vector<cv::Mat1b> pyramid_;  ///< level 0 is the given picture; empty below the first used
+  std::vector<cv::Mat1b> pyramid_;  ///< level 0 is the given image; empty below the first used
   std::vector<Candidate> candidates_;
   KeepApart keep_apart_;
 };
@@ -43,4 +43,4 @@ class KeypointFinder {
 [[nodiscard]] std::vector<Keypoint> find_keypoints(const cv::Mat1b& grey,
                                                    const KeypointSettings& settings);
 
-}  // namespace striate
+}  // namespace striate::perception

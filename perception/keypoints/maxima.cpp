@@ -1,17 +1,17 @@
 #define HWY_WANT_AVX3_DL 1
 
-#include "perception/keypoints/maxima.hpp"
+#include "striate/perception/keypoints/maxima.hpp"
 
 #include <algorithm>
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "perception/keypoints/maxima.cpp"
+#define HWY_TARGET_INCLUDE "striate/perception/keypoints/maxima.cpp"
 #include <hwy/foreach_target.h>
 // After foreach_target.h, which defines the target.
 #include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
-namespace striate::HWY_NAMESPACE {
+namespace striate::perception::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 std::uint16_t LargestInRow(const std::uint16_t* HWY_RESTRICT row, int width) {
@@ -58,11 +58,11 @@ void MaximaOfRow(const Plane<std::uint16_t>& plane, int y, int from, int to, std
   }
 }
 
-}  // namespace striate::HWY_NAMESPACE
+}  // namespace striate::perception::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-namespace striate {
+namespace striate::perception {
 
 HWY_EXPORT(LargestInRow);
 HWY_EXPORT(MaximaOfRow);
@@ -83,5 +83,5 @@ void find_strict_maxima(const Plane<std::uint16_t>& plane, int border, std::uint
   }
 }
 
-}  // namespace striate
+}  // namespace striate::perception
 #endif

@@ -3,9 +3,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "perception/v1/plane.hpp"
+#include "striate/perception/v1/plane.hpp"
 
-namespace striate {
+namespace striate::perception {
 
 struct GridPoint {
   int x = 0;
@@ -20,4 +20,4 @@ struct GridPoint {
 void find_strict_maxima(const Plane<std::uint16_t>& plane, int border, std::uint16_t least,
                         std::vector<GridPoint>& out);
 
-}  // namespace striate
+}  // namespace striate::perception

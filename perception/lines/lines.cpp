@@ -1,4 +1,4 @@
-#include "perception/lines/lines.hpp"
+#include "striate/perception/lines/lines.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,9 +7,9 @@
 #include <optional>
 #include <stdexcept>
 
-#include "base/user_error.hpp"
+#include "striate/base/user_error.hpp"
 
-namespace striate {
+namespace striate::perception {
 namespace {
 
 V1Settings v1_settings(const LineSettings& settings) {
@@ -109,7 +109,7 @@ void LineFinder::note(ContourEvent event, std::size_t orientation, LinesAndEdges
 }
 
 void LineFinder::find(const cv::Mat1b& grey, LinesAndEdges& out) {
-  if (grey.empty()) throw std::invalid_argument("LineFinder: the picture is empty");
+  if (grey.empty()) throw std::invalid_argument("LineFinder: the image is empty");
   out.events.clear();
   cells_.respond(grey, 0, true, responses_);
   std::int16_t largest = std::numeric_limits<std::int16_t>::min();
@@ -118,8 +118,8 @@ void LineFinder::find(const cv::Mat1b& grey, LinesAndEdges& out) {
       largest = std::max(largest, *std::max_element(plane.row(v), plane.row(v) + grey.cols));
     }
   }
-  // What rounding leaves on a blank picture is no contour.
-  // Units of strength that rounding leaves on a blank picture: no contour
+  // What rounding leaves on a blank image is no contour.
+  // Units of strength that rounding leaves on a blank image: no contour
   constexpr double kRounding = 4.0;
   least_ = std::max(kRounding, settings_.threshold * complex_response(largest));
   // Furthest sample: lambda / 4 beyond an event 0.5 px away, and its right neighbour.
@@ -135,4 +135,4 @@ LinesAndEdges find_lines_and_edges(const cv::Mat1b& grey, const LineSettings& se
   return found;
 }
 
-}  // namespace striate
+}  // namespace striate::perception

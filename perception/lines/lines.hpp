@@ -4,10 +4,10 @@
 #include <opencv2/core/mat.hpp>
 #include <vector>
 
-#include "config/settings.hpp"
-#include "perception/v1/v1_cells.hpp"
+#include "striate/config/settings.hpp"
+#include "striate/perception/v1/v1_cells.hpp"
 
-namespace striate {
+namespace striate::perception {
 
 enum class EventKind { line_positive, line_negative, edge_positive, edge_negative };
 
@@ -19,7 +19,7 @@ struct ContourEvent {
   double across_rad =
       0.0;                ///< 0 .. pi, from u towards v: the direction across the contour, as the
                           ///< simple cells' theta. An edge is positive where it brightens that way
-  double strength = 0.0;  ///< complex response, units of the picture's grey times the kernel
+  double strength = 0.0;  ///< complex response, units of the image's grey times the kernel
 };
 
 struct LinesAndEdges {
@@ -28,7 +28,7 @@ struct LinesAndEdges {
 
 struct LineSettings {
   double wavelength_px = 4.0;  ///< px; the finest of the V1 model's scales (lambda = 4 .. 64)
-  /// Of the largest complex response in the picture (ours; the 2009 model gives none)
+  /// Of the largest complex response in the image (ours; the 2009 model gives none)
   double threshold = 0.1;
 };
 
@@ -66,4 +66,4 @@ class LineFinder {
 [[nodiscard]] LinesAndEdges find_lines_and_edges(const cv::Mat1b& grey,
                                                  const LineSettings& settings);
 
-}  // namespace striate
+}  // namespace striate::perception

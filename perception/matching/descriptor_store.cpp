@@ -1,8 +1,8 @@
-#include "perception/matching/descriptor_store.hpp"
+#include "striate/perception/matching/descriptor_store.hpp"
 
 #include <stdexcept>
 
-namespace striate {
+namespace striate::perception {
 namespace {
 
 constexpr std::size_t kBlocksAtOnce = 2;  // the search reads blocks in pairs (search_kernels.hpp)
@@ -47,4 +47,4 @@ Descriptor DescriptorStore::at(std::size_t index) const {
   return result;
 }
 
-}  // namespace striate
+}  // namespace striate::perception

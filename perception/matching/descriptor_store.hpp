@@ -7,9 +7,9 @@
 #include <span>
 #include <vector>
 
-#include "perception/percept.hpp"
+#include "striate/perception/percept.hpp"
 
-namespace striate {
+namespace striate::perception {
 
 /// Eight descriptors, word by word: what one load of a vector needs lies together.
 struct alignas(64) DescriptorBlock {
@@ -51,4 +51,4 @@ class DescriptorStore {
   std::size_t size_ = 0;
 };
 
-}  // namespace striate
+}  // namespace striate::perception

@@ -1,8 +1,8 @@
-#include "perception/matching/hamming_search.hpp"
+#include "striate/perception/matching/hamming_search.hpp"
 
 #include <algorithm>
 
-namespace striate {
+namespace striate::perception {
 
 using search_kernels::Bound;
 using search_kernels::kBlocksOfChunk;
@@ -107,4 +107,4 @@ std::span<const NearestTwo> HammingSearch::nearest_two(std::span<const Descripto
   return nearest_;
 }
 
-}  // namespace striate
+}  // namespace striate::perception

@@ -4,10 +4,10 @@
 #include <span>
 #include <vector>
 
-#include "perception/matching/descriptor_store.hpp"
-#include "perception/matching/search_kernels.hpp"
+#include "striate/perception/matching/descriptor_store.hpp"
+#include "striate/perception/matching/search_kernels.hpp"
 
-namespace striate {
+namespace striate::perception {
 
 /// A stored descriptor that is near a query.
 struct Match {
@@ -54,4 +54,4 @@ class HammingSearch {
   std::vector<NearestTwo> nearest_;
 };
 
-}  // namespace striate
+}  // namespace striate::perception

@@ -1,17 +1,17 @@
 #define HWY_WANT_AVX3_DL 1
 
-#include "perception/matching/search_kernels.hpp"
+#include "striate/perception/matching/search_kernels.hpp"
 
 #include <algorithm>
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "perception/matching/search_kernels.cpp"
+#define HWY_TARGET_INCLUDE "striate/perception/matching/search_kernels.cpp"
 #include <hwy/foreach_target.h>
 // After foreach_target.h, which defines the target.
 #include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
-namespace striate::search_kernels::HWY_NAMESPACE {
+namespace striate::perception::search_kernels::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 using D64 = hn::CappedTag<std::uint64_t, DescriptorBlock::kSize>;
@@ -175,11 +175,11 @@ Tally SearchChunk(std::span<const DescriptorBlock> blocks, const QueryGroup& que
   return {count, passed_count};
 }
 
-}  // namespace striate::search_kernels::HWY_NAMESPACE
+}  // namespace striate::perception::search_kernels::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-namespace striate::search_kernels {
+namespace striate::perception::search_kernels {
 
 HWY_EXPORT(SearchChunk);
 
@@ -188,5 +188,5 @@ Tally search_chunk(std::span<const DescriptorBlock> blocks, const QueryGroup& qu
   return HWY_DYNAMIC_DISPATCH(SearchChunk)(blocks, queries, bound, found);
 }
 
-}  // namespace striate::search_kernels
+}  // namespace striate::perception::search_kernels
 #endif

@@ -5,11 +5,11 @@
 #include <cstdint>
 #include <span>
 
-#include "perception/matching/descriptor_store.hpp"
+#include "striate/perception/matching/descriptor_store.hpp"
 
 /// The inner loop of searching: a few queries against a stretch of stored descriptors that stays in
 /// the first cache.
-namespace striate::search_kernels {
+namespace striate::perception::search_kernels {
 
 /// Queries; times kBlocksAtOnce sums, that many registers of the 16 there are
 inline constexpr std::size_t kQueriesAtOnce = 4;
@@ -47,4 +47,4 @@ struct Tally {
 Tally search_chunk(std::span<const DescriptorBlock> blocks, const QueryGroup& queries, Bound bound,
                    Found* found);
 
-}  // namespace striate::search_kernels
+}  // namespace striate::perception::search_kernels

@@ -2,10 +2,10 @@
 
 #include <optional>
 
-#include "base/geometry.hpp"
-#include "perception/obstacles/view_geometry.hpp"
+#include "striate/base/geometry.hpp"
+#include "striate/perception/obstacles/view_geometry.hpp"
 
-namespace striate {
+namespace striate::perception {
 
 /// Where the world's points, seen from the robot at one place, appeared from another.
 class CarriedBack {
@@ -16,15 +16,19 @@ class CarriedBack {
     Pose2 base;
   };
   CarriedBack(const From& now, const From& before)
-      : now_(now.view), before_(before.view), now_in_before_(to_inner(before.base, now.base)) {}
+      : now_(now.view),
+        before_(before.view),
+        now_in_before_(inverse_transform(before.base, now.base)) {}
 
   /// `point` in the robot frame of now.
   [[nodiscard]] std::optional<ImagePoint> operator()(const SpacePoint& point) const {
-    const Point2 floor = to_outer(now_in_before_, Point2{point.x_m, point.y_m});
+    const Point2 floor = transform(now_in_before_, Point2{point.x_m, point.y_m});
     return before_.project({floor.x_m, floor.y_m, point.z_m});
   }
   /// A point in the robot frame of before, in that of now.
-  [[nodiscard]] Point2 to_now(Point2 before) const { return to_inner(now_in_before_, before); }
+  [[nodiscard]] Point2 to_now(Point2 before) const {
+    return inverse_transform(now_in_before_, before);
+  }
   [[nodiscard]] const ViewGeometry& now() const { return now_; }
   [[nodiscard]] const ViewGeometry& before() const { return before_; }
 
@@ -34,4 +38,4 @@ class CarriedBack {
   Pose2 now_in_before_;
 };
 
-}  // namespace striate
+}  // namespace striate::perception

@@ -1,14 +1,14 @@
-#include "perception/motion/motion.hpp"
+#include "striate/perception/motion/motion.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
-#include "perception/motion/carried_back.hpp"
-#include "perception/motion/place_verdict.hpp"
-#include "perception/motion/velocity.hpp"
+#include "striate/perception/motion/carried_back.hpp"
+#include "striate/perception/motion/place_verdict.hpp"
+#include "striate/perception/motion/velocity.hpp"
 
-namespace striate {
+namespace striate::perception {
 namespace {
 
 /// Judged pixels that a column's share needs: as many as an obstacle (smallest_px)
@@ -59,7 +59,7 @@ struct MotionFinder::Comparison {
 void MotionFinder::find(const MotionView& now, std::vector<Column>& columns,
                         std::vector<MovingThing>& moving) {
   moving.clear();
-  const Kept* before = picture_before(now.stamp);
+  const Kept* before = image_before(now.stamp);
   const bool fits = before != nullptr && before->grey.size() == now.grey.size() &&
                     columns.size() == static_cast<std::size_t>(now.grey.cols);
   if (fits) {
@@ -89,8 +89,8 @@ void MotionFinder::keep(const MotionView& now) {
   place.used = true;
 }
 
-/// The kept picture whose age is nearest to the gap, between half of it and twice.
-const MotionFinder::Kept* MotionFinder::picture_before(TimePoint now) const {
+/// The kept image whose age is nearest to the gap, between half of it and twice.
+const MotionFinder::Kept* MotionFinder::image_before(TimePoint now) const {
   const Kept* best = nullptr;
   double least = 0.0;
   for (const Kept& kept : kept_) {
@@ -198,4 +198,4 @@ void MotionFinder::list_things(const Comparison& pair, std::vector<Column>& colu
                    [](const auto& a, const auto& b) { return a.distance_m < b.distance_m; });
 }
 
-}  // namespace striate
+}  // namespace striate::perception

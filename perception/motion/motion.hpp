@@ -4,16 +4,16 @@
 #include <cstddef>
 #include <vector>
 
-#include "base/geometry.hpp"
-#include "perception/motion/motion_settings.hpp"
-#include "perception/obstacles/view_geometry.hpp"
-#include "perception/percept.hpp"
-#include "platform/interface/robot.hpp"
-#include "platform/interface/senses.hpp"
+#include "striate/base/geometry.hpp"
+#include "striate/perception/motion/motion_settings.hpp"
+#include "striate/perception/obstacles/view_geometry.hpp"
+#include "striate/perception/percept.hpp"
+#include "striate/platform/interface/robot.hpp"
+#include "striate/platform/interface/senses.hpp"
 
-namespace striate {
+namespace striate::perception {
 
-/// One picture as MotionFinder wants it.
+/// One image as MotionFinder wants it.
 struct MotionView {
   TimePoint stamp;
   HeadPose head;
@@ -23,11 +23,11 @@ struct MotionView {
 };
 
 /// Finds what moves apart from the robot's own motion (ours). A pixel that stands on the floor now
-/// is carried back by odometry and head pose into a picture of some tenths of a second ago. There
+/// is carried back by odometry and head pose into an image of some tenths of a second ago. There
 /// it must be found again at its disparity; place_verdict.hpp says what it means if not. So turning
 /// and driving, and what comes out from behind something that stays, move nothing.
 ///
-/// Keeps copies of the last pictures in buffers of its own; only the search for a moving thing's
+/// Keeps copies of the last images in buffers of its own; only the search for a moving thing's
 /// velocity allocates.
 class MotionFinder {
  public:
@@ -35,7 +35,7 @@ class MotionFinder {
       : settings_(settings), robot_(robot) {}
 
   /// Fills `moving` of the columns (one per column of the map) and lists moving things. Nothing
-  /// moves in the first pictures, after a pause longer than twice the gap, or after a change of
+  /// moves in the first images, after a pause longer than twice the gap, or after a change of
   /// size. Stamps must not go back.
   void find(const MotionView& now, std::vector<Column>& columns, std::vector<MovingThing>& moving);
 
@@ -49,8 +49,8 @@ class MotionFinder {
     bool used = false;
   };
   void keep(const MotionView& now);
-  [[nodiscard]] const Kept* picture_before(TimePoint now) const;
-  struct Comparison;  ///< of now with one kept picture
+  [[nodiscard]] const Kept* image_before(TimePoint now) const;
+  struct Comparison;  ///< of now with one kept image
   void judge_columns(const Comparison& pair, std::vector<Column>& columns);
   void list_things(const Comparison& pair, std::vector<Column>& columns,
                    std::vector<MovingThing>& moving) const;
@@ -65,4 +65,4 @@ class MotionFinder {
   std::vector<int> came_, moved_, stayed_;  ///< judged pixels per column
 };
 
-}  // namespace striate
+}  // namespace striate::perception

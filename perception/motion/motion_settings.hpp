@@ -1,13 +1,13 @@
 #pragma once
 
-#include "config/settings.hpp"
+#include "striate/config/settings.hpp"
 
-namespace striate {
+namespace striate::perception {
 
 /// Things that move apart from the robot's own motion.
 struct MotionSettings {
   bool on = false;
-  /// Between the two pictures that are compared; chosen on corridor_a (motion_table)
+  /// Between the two images that are compared; chosen on corridor_a (motion_table)
   double gap_s = 0.5;
   /// Disparities of less confidence are not used; as the obstacles' (ObstacleSettings)
   double trusted = 0.3;
@@ -33,7 +33,7 @@ void visit(V& v, MotionSettings& s) {
   v.flag("on", s.on,
          "look for things that move by themselves; off: no behaviour uses them yet, and the "
          "trials that are reported were driven without");
-  v.number("gap", s.gap_s, Unit::duration, {0.05, 2.0}, "between the pictures compared");
+  v.number("gap", s.gap_s, Unit::duration, {0.05, 2.0}, "between the images compared");
   v.number("trusted", s.trusted, Unit::fraction, {0.0, 1.0}, "least confidence of a disparity");
   v.number("lowest", s.lowest_m, Unit::length, {0.0, 1.0}, "what is lower is not judged");
   v.number("highest", s.highest_m, Unit::length, {0.2, 3.0}, "what is higher is not judged");
@@ -49,4 +49,4 @@ void visit(V& v, MotionSettings& s) {
            "of a column's obstacle that must have been free before");
 }
 
-}  // namespace striate
+}  // namespace striate::perception

@@ -1,10 +1,10 @@
-#include "perception/motion/place_verdict.hpp"
+#include "striate/perception/motion/place_verdict.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
-namespace striate {
+namespace striate::perception {
 namespace {
 
 /// What is measured around a place, against what would be measured if the thing were there.
@@ -66,4 +66,4 @@ Verdict judge_point(const SpacePoint& point, const CarriedBack& carried, const S
   }
 }
 
-}  // namespace striate
+}  // namespace striate::perception

@@ -1,9 +1,9 @@
-#include "perception/motion/velocity.hpp"
+#include "striate/perception/motion/velocity.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-namespace striate {
+namespace striate::perception {
 namespace {
 
 constexpr std::size_t kFewestPixels = 20;  ///< pixels of a thing; fewer fit any velocity (ours)
@@ -32,7 +32,7 @@ class Search {
          const EarlierView& before, const cv::Mat1b& grey)
       : pixels_(pixels), carried_(carried), before_(before), grey_(grey) {}
 
-  /// Where the pixel was if it moved so; nothing outside the picture.
+  /// Where the pixel was if it moved so; nothing outside the image.
   [[nodiscard]] std::optional<ImagePoint> was(const ThingPixel& pixel, Point2 velocity) const {
     const auto place = carried_({pixel.at.x_m - velocity.x_m * before_.seconds,
                                  pixel.at.y_m - velocity.y_m * before_.seconds, pixel.at.z_m});
@@ -45,7 +45,7 @@ class Search {
   }
 
   /// Mean |difference| of greys, less the mean difference (exposure may have changed); nothing
-  /// where less than half of the thing was in the picture.
+  /// where less than half of the thing was in the image.
   [[nodiscard]] std::optional<double> difference(Point2 velocity) {
     differences_.clear();
     double sum = 0.0;
@@ -77,7 +77,7 @@ double median(std::vector<double>& values) {
 }
 
 /// The velocity that explains the pixels best; nothing where it does not stand out. Steps sideways
-/// are one pixel of the earlier picture.
+/// are one pixel of the earlier image.
 std::optional<Point2> best_velocity(Search& search, double sideways_step_m_s, double fastest_m_s) {
   const int forward_steps = static_cast<int>(fastest_m_s / kForwardStep_m_s);
   const int sideways_steps = static_cast<int>(fastest_m_s / sideways_step_m_s);
@@ -132,4 +132,4 @@ std::optional<Point2> find_velocity(const std::vector<ThingPixel>& pixels, const
   return Point2{median(x), median(y)};
 }
 
-}  // namespace striate
+}  // namespace striate::perception

@@ -1,9 +1,9 @@
-#include "perception/obstacles/column_scan.hpp"
+#include "striate/perception/obstacles/column_scan.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-namespace striate {
+namespace striate::perception {
 namespace {
 
 /// Level disparity; about the error of a trusted one, which kWindow bins take up
@@ -195,4 +195,4 @@ void bridge_unknown_columns(std::vector<Standing>& standing, const JudgedMap& ju
   }
 }
 
-}  // namespace striate
+}  // namespace striate::perception

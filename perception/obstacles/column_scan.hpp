@@ -3,10 +3,10 @@
 #include <opencv2/core/mat.hpp>
 #include <vector>
 
-#include "perception/obstacles/obstacle_settings.hpp"
-#include "perception/obstacles/view_geometry.hpp"
+#include "striate/perception/obstacles/obstacle_settings.hpp"
+#include "striate/perception/obstacles/view_geometry.hpp"
 
-namespace striate {
+namespace striate::perception {
 
 /// What a pixel is, seen against the floor line.
 enum class PixelKind : unsigned char {
@@ -47,4 +47,4 @@ struct Standing {
 void bridge_unknown_columns(std::vector<Standing>& standing, const JudgedMap& judged,
                             const ObstacleSettings& settings);
 
-}  // namespace striate
+}  // namespace striate::perception

@@ -1,9 +1,9 @@
-#include "perception/obstacles/floor_state.hpp"
+#include "striate/perception/obstacles/floor_state.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-namespace striate {
+namespace striate::perception {
 namespace {
 
 constexpr double kOccupied_m = 0.1;  // depth assumed of an obstacle whose back is not seen (ours)
@@ -27,4 +27,4 @@ void hide_behind_obstacle(Column& column, double to_m) {
   column.hidden_to_m = stands ? std::max(to_m, column.obstacle_m) : kNothing_m;
 }
 
-}  // namespace striate
+}  // namespace striate::perception

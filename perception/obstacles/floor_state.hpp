@@ -1,8 +1,8 @@
 #pragma once
 
-#include "perception/percept.hpp"
+#include "striate/perception/percept.hpp"
 
-namespace striate {
+namespace striate::perception {
 
 /// What is known of a place on the floor. Unknown is never free, and hidden is not unknown for want
 /// of texture or light: another place to look from would show it.
@@ -16,4 +16,4 @@ enum class FloorState { free, occupied, unknown, hidden };
 /// nothing where it has none.
 void hide_behind_obstacle(Column& column, double to_m);
 
-}  // namespace striate
+}  // namespace striate::perception

@@ -1,9 +1,9 @@
-#include "perception/obstacles/free_floor.hpp"
+#include "striate/perception/obstacles/free_floor.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-namespace striate {
+namespace striate::perception {
 namespace {
 
 /// Columns to either side that are looked at together, as in column_scan.cpp
@@ -128,4 +128,4 @@ double calibrate_floor(const DisparityMap& map, const ViewGeometry& geometry,
   return std::clamp<double>(*middle, -settings.floor_offset_px, settings.floor_offset_px);
 }
 
-}  // namespace striate
+}  // namespace striate::perception

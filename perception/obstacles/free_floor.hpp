@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include "perception/obstacles/column_scan.hpp"
+#include "striate/perception/obstacles/column_scan.hpp"
 
-namespace striate {
+namespace striate::perception {
 
 /// The stretch of floor that a column shows to be free; empty if `to_row` >= `from_row`.
 struct FreeFloor {
@@ -13,16 +13,16 @@ struct FreeFloor {
   double confidence = 0.0;  ///< mean weight of the floor seen on the way
 };
 
-/// Follows the floor of every column upwards from the bottom of the picture until something
+/// Follows the floor of every column upwards from the bottom of the image until something
 /// stands there or nothing is known for longer than the settings bridge.
 [[nodiscard]] std::vector<FreeFloor> find_free_floor(const JudgedMap& judged,
                                                      const ViewGeometry& geometry,
                                                      const ObstacleSettings& settings);
 
-/// The offset of the floor line that this picture asks for: the median over trusted pixels near
+/// The offset of the floor line that this image asks for: the median over trusted pixels near
 /// the floor line, 0 where too few show it, never more than the settings allow. It takes up small
 /// errors of tilt and rectification, both of which shift the line as a whole.
 [[nodiscard]] double calibrate_floor(const DisparityMap& map, const ViewGeometry& geometry,
                                      const ObstacleSettings& settings);
 
-}  // namespace striate
+}  // namespace striate::perception

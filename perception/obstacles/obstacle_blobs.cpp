@@ -1,9 +1,9 @@
-#include "perception/obstacles/obstacle_blobs.hpp"
+#include "striate/perception/obstacles/obstacle_blobs.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-namespace striate {
+namespace striate::perception {
 namespace {
 
 /// Columns without a hit inside one blob; the pool of find_standing() is as wide
@@ -82,4 +82,4 @@ std::vector<Obstacle> join_columns(const std::vector<ColumnHit>& hits) {
   return obstacles;
 }
 
-}  // namespace striate
+}  // namespace striate::perception

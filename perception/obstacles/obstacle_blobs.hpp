@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include "perception/obstacles/column_scan.hpp"
+#include "striate/perception/obstacles/column_scan.hpp"
 
-namespace striate {
+namespace striate::perception {
 
 /// One column's obstacle, ready to be joined with its neighbours.
 struct ColumnHit {
@@ -18,4 +18,4 @@ struct ColumnHit {
 /// Joins neighbouring columns at about the same distance. Nearest first.
 [[nodiscard]] std::vector<Obstacle> join_columns(const std::vector<ColumnHit>& hits);
 
-}  // namespace striate
+}  // namespace striate::perception

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "config/settings.hpp"
+#include "striate/config/settings.hpp"
 
-namespace striate {
+namespace striate::perception {
 
 /// How obstacles are told from the floor.
 struct ObstacleSettings {
@@ -52,7 +52,7 @@ void visit(V& v, ObstacleSettings& s) {
   v.number("smallest_area", s.smallest_px, Unit::pixels, {1.0, 1000.0},
            "least pixels of an obstacle");
   v.number("floor_offset", s.floor_offset_px, Unit::pixels, {0.0, 2.0},
-           "largest correction of the floor line by the picture itself");
+           "largest correction of the floor line by the image itself");
   v.number("floor_gap", s.floor_gap_m, Unit::length, {0.0, 2.0}, "unknown floor that is bridged");
   v.integer("bridged_columns", s.bridged_columns, {0, 640},
             "unknown columns bridged between parts of one plane");
@@ -62,4 +62,4 @@ void visit(V& v, ObstacleSettings& s) {
             "paper setting: least pixels of a blob");
 }
 
-}  // namespace striate
+}  // namespace striate::perception

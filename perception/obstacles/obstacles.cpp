@@ -1,15 +1,15 @@
-#include "perception/obstacles/obstacles.hpp"
+#include "striate/perception/obstacles/obstacles.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "perception/obstacles/column_scan.hpp"
-#include "perception/obstacles/floor_state.hpp"
-#include "perception/obstacles/free_floor.hpp"
-#include "perception/obstacles/obstacle_blobs.hpp"
-#include "perception/obstacles/view_geometry.hpp"
+#include "striate/perception/obstacles/column_scan.hpp"
+#include "striate/perception/obstacles/floor_state.hpp"
+#include "striate/perception/obstacles/free_floor.hpp"
+#include "striate/perception/obstacles/obstacle_blobs.hpp"
+#include "striate/perception/obstacles/view_geometry.hpp"
 
-namespace striate {
+namespace striate::perception {
 namespace {
 
 /// Share: a bridged column is inferred, not seen, so it is sure of nothing (below 0.5)
@@ -120,4 +120,4 @@ ObstacleView find_obstacles(const DisparityMap& map, const HeadPose& head,
   return view;
 }
 
-}  // namespace striate
+}  // namespace striate::perception

@@ -2,18 +2,18 @@
 
 #include <vector>
 
-#include "perception/obstacles/obstacle_settings.hpp"
-#include "perception/percept.hpp"
-#include "platform/interface/robot.hpp"
-#include "platform/interface/senses.hpp"
+#include "striate/perception/obstacles/obstacle_settings.hpp"
+#include "striate/perception/percept.hpp"
+#include "striate/platform/interface/robot.hpp"
+#include "striate/platform/interface/senses.hpp"
 
-namespace striate {
+namespace striate::perception {
 
 /// What one disparity map says about the floor plan in front.
 struct ObstacleView {
   std::vector<Column> columns;      ///< one per column of the map, left to right
   std::vector<Obstacle> obstacles;  ///< nearest first
-  double floor_offset_px = 0.0;     ///< correction of the floor line that this picture asked for
+  double floor_offset_px = 0.0;     ///< correction of the floor line that this image asked for
 };
 
 /// The robust way: the floor line separates floor from what stands on it, a column is blocked by
@@ -31,4 +31,4 @@ struct ObstacleView {
                                                       const RobotDescription& robot,
                                                       const ObstacleSettings& settings);
 
-}  // namespace striate
+}  // namespace striate::perception

@@ -2,11 +2,11 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
-#include "perception/obstacles/floor_state.hpp"
-#include "perception/obstacles/obstacles.hpp"
-#include "perception/obstacles/view_geometry.hpp"
+#include "striate/perception/obstacles/floor_state.hpp"
+#include "striate/perception/obstacles/obstacles.hpp"
+#include "striate/perception/obstacles/view_geometry.hpp"
 
-namespace striate {
+namespace striate::perception {
 namespace {
 
 /// The threshold stays so much above the floor line: whole-pixel disparities err by as much
@@ -140,4 +140,4 @@ ObstacleView find_obstacles_as_in_paper(const DisparityMap& map, const HeadPose&
   return view;
 }
 
-}  // namespace striate
+}  // namespace striate::perception

@@ -1,8 +1,8 @@
-#include "perception/obstacles/view_geometry.hpp"
+#include "striate/perception/obstacles/view_geometry.hpp"
 
 #include <cmath>
 
-namespace striate {
+namespace striate::perception {
 
 ViewGeometry::ViewGeometry(const DisparityMap& map, const HeadPose& head,
                            const RobotDescription& robot)
@@ -59,4 +59,4 @@ Point2 ViewGeometry::level_point(double u_px, double e_px) const {
   return from_head(forward_m, -forward_m * (u_px - centre_u_px_) / focal_px_ * cos_tilt_);
 }
 
-}  // namespace striate
+}  // namespace striate::perception

@@ -2,11 +2,11 @@
 
 #include <optional>
 
-#include "perception/percept.hpp"
-#include "platform/interface/robot.hpp"
-#include "platform/interface/senses.hpp"
+#include "striate/perception/percept.hpp"
+#include "striate/platform/interface/robot.hpp"
+#include "striate/platform/interface/senses.hpp"
 
-namespace striate {
+namespace striate::perception {
 
 /// A point in the robot frame: x forward and y left of the axle's middle, z above the floor.
 struct SpacePoint {
@@ -15,14 +15,14 @@ struct SpacePoint {
   double z_m = 0.0;
 };
 
-/// A pixel of the left picture and its disparity.
+/// A pixel of the left image and its disparity.
 struct ImagePoint {
   double u_px = 0.0;
   double v_px = 0.0;
   double d_px = 0.0;
 };
 
-/// Where the pixels of the left picture lie in the robot's world, for one pose of the head.
+/// Where the pixels of the left image lie in the robot's world, for one pose of the head.
 ///
 /// With tilt t (up positive), y = (v - centre_v) / f and a camera h above the floor:
 ///
@@ -85,4 +85,4 @@ class ViewGeometry {
   double floor_at_centre_px_;
 };
 
-}  // namespace striate
+}  // namespace striate::perception

@@ -1,11 +1,11 @@
-#include "perception/obstacles/wall_completion.hpp"
+#include "striate/perception/obstacles/wall_completion.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "perception/obstacles/floor_state.hpp"
+#include "striate/perception/obstacles/floor_state.hpp"
 
-namespace striate {
+namespace striate::perception {
 namespace {
 
 /// Of the corridor; above what makes it valid (0.3), for this puts in what nobody saw
@@ -72,4 +72,4 @@ void complete_with_walls(std::vector<Column>& columns, const CorridorView& corri
   }
 }
 
-}  // namespace striate
+}  // namespace striate::perception

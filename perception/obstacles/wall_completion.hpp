@@ -2,10 +2,10 @@
 
 #include <vector>
 
-#include "perception/obstacles/view_geometry.hpp"
-#include "perception/percept.hpp"
+#include "striate/perception/obstacles/view_geometry.hpp"
+#include "striate/perception/percept.hpp"
 
-namespace striate {
+namespace striate::perception {
 
 /// Blank walls: where a column shows nothing that stands, or only something behind the corridor's
 /// wall, and not many trusted pixels of it look through that wall, the wall is put in as obstacle
@@ -14,4 +14,4 @@ namespace striate {
 void complete_with_walls(std::vector<Column>& columns, const CorridorView& corridor,
                          const DisparityMap& map, const ViewGeometry& geometry);
 
-}  // namespace striate
+}  // namespace striate::perception

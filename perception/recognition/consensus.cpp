@@ -1,9 +1,9 @@
-#include "perception/recognition/consensus.hpp"
+#include "striate/perception/recognition/consensus.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-namespace striate {
+namespace striate::perception {
 namespace {
 
 double squared(double value) {
@@ -11,8 +11,8 @@ double squared(double value) {
 }
 
 double distance_sq_px(const Pose& pose, const PlacePair& pair) {
-  return squared(pose.u_of(pair.view.u_px, pair.view.v_px) - pair.picture.u_px) +
-         squared(pose.v_of(pair.view.u_px, pair.view.v_px) - pair.picture.v_px);
+  return squared(pose.u_of(pair.view.u_px, pair.view.v_px) - pair.image.u_px) +
+         squared(pose.v_of(pair.view.u_px, pair.view.v_px) - pair.image.v_px);
 }
 
 /// What a pair's own pose does to a vector along u: (cos, sin) of its turn, times its scale.
@@ -72,15 +72,15 @@ bool ConsensusFinder::plausible(const Pose& pose) const {
          pose.scale() < 1.0 / settings_.least_scale;
 }
 
-/// Several keypoints of the picture may agree with one of the view: it counts once. So does a place
-/// of the picture that several keypoints of the view claim.
+/// Several keypoints of the image may agree with one of the view: it counts once. So does a place
+/// of the image that several keypoints of the view claim.
 int ConsensusFinder::distinct() {
   int count = 0;
   for (const bool of_view : {true, false}) {
     points_.clear();
     for (const PlacePair& pair : agreeing_) {
-      const int place = static_cast<int>(std::lround(pair.picture.v_px)) * 65536 +
-                        static_cast<int>(std::lround(pair.picture.u_px));
+      const int place = static_cast<int>(std::lround(pair.image.v_px)) * 65536 +
+                        static_cast<int>(std::lround(pair.image.u_px));
       points_.push_back(of_view ? pair.view_point : place);
     }
     std::ranges::sort(points_);
@@ -112,4 +112,4 @@ Consensus ConsensusFinder::find(std::span<const PlacePair> pairs, double width_p
   return {distinct(), pose};
 }
 
-}  // namespace striate
+}  // namespace striate::perception

@@ -3,15 +3,15 @@
 #include <span>
 #include <vector>
 
-#include "perception/recognition/pose.hpp"
-#include "perception/recognition/recognition_settings.hpp"
+#include "striate/perception/recognition/pose.hpp"
+#include "striate/perception/recognition/recognition_settings.hpp"
 
-namespace striate {
+namespace striate::perception {
 
 /// The pose that most pairs agree with.
 struct Consensus {
   int inliers = 0;  ///< different keypoints of the view that agree; 0: no pose
-  Pose pose;        ///< view to picture
+  Pose pose;        ///< view to image
 };
 
 /// Finds the pose of a view by voting: every pair proposes the similarity that its two keypoints
@@ -37,4 +37,4 @@ class ConsensusFinder {
   std::vector<int> points_;
 };
 
-}  // namespace striate
+}  // namespace striate::perception

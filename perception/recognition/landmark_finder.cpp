@@ -1,14 +1,14 @@
-#include "perception/recognition/landmark_finder.hpp"
+#include "striate/perception/recognition/landmark_finder.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "perception/recognition/region_depth.hpp"
+#include "striate/perception/recognition/region_depth.hpp"
 
-namespace striate {
+namespace striate::perception {
 namespace {
 
-/// Of the smaller of two boxes: with more in common they show one thing; "a part of the picture
+/// Of the smaller of two boxes: with more in common they show one thing; "a part of the image
 /// shows one thing" was chosen on `trial --objects` (ours).
 constexpr double kSamePart = 0.5;
 
@@ -93,7 +93,7 @@ void LandmarkFinder::choose_windows(const cv::Mat1b& grey, const ViewGeometry& g
   }
 }
 
-/// Keypoints of all windows, in pixels of the picture, each once.
+/// Keypoints of all windows, in pixels of the image, each once.
 void LandmarkFinder::gather_keypoints(const cv::Mat1b& grey) {
   keypoints_.clear();
   for (std::size_t k = 0; k < windows_.windows().size(); ++k) {
@@ -128,7 +128,7 @@ const std::vector<Recognition>& LandmarkFinder::compare() {
   return recogniser_.recognise(keypoints_, chosen_, budget);
 }
 
-/// A part of the picture shows one thing: what has most inliers there. Others that have something
+/// A part of the image shows one thing: what has most inliers there. Others that have something
 /// in common with it, such as the same label, give way.
 void LandmarkFinder::keep_one_a_place(const std::vector<Recognition>& found,
                                       std::vector<Recognition>& kept) const {
@@ -142,7 +142,7 @@ void LandmarkFinder::keep_one_a_place(const std::vector<Recognition>& found,
   }
 }
 
-/// Bearing by the place in the picture, distance by the disparity in its middle half.
+/// Bearing by the place in the image, distance by the disparity in its middle half.
 void LandmarkFinder::place(const ViewGeometry& geometry, const DisparityMap& map,
                            Recognition& found) {
   if (geometry.focal_px() <= 0.0) return;
@@ -181,7 +181,7 @@ LookResult LandmarkFinder::judge(const LandmarkExpectation& expected, const View
                                                          : LookResult::not_looked_for;
 }
 
-/// Whether all its views that are looked for were compared with this picture.
+/// Whether all its views that are looked for were compared with this image.
 bool LandmarkFinder::compared(int landmark, std::span<const int> order) const {
   const auto is_of_it = [&](int view) {
     return landmark_of_view_[static_cast<std::size_t>(view)] == landmark;
@@ -191,4 +191,4 @@ bool LandmarkFinder::compared(int landmark, std::span<const int> order) const {
   return done > 0 && done == std::ranges::count_if(order, is_of_it);
 }
 
-}  // namespace striate
+}  // namespace striate::perception

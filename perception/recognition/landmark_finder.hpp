@@ -5,35 +5,35 @@
 #include <span>
 #include <vector>
 
-#include "base/time.hpp"
-#include "perception/obstacles/view_geometry.hpp"
-#include "perception/recognition/finder_settings.hpp"
-#include "perception/recognition/look_windows.hpp"
-#include "perception/recognition/oriented_keypoints.hpp"
-#include "perception/recognition/recogniser.hpp"
+#include "striate/base/time.hpp"
+#include "striate/perception/obstacles/view_geometry.hpp"
+#include "striate/perception/recognition/finder_settings.hpp"
+#include "striate/perception/recognition/look_windows.hpp"
+#include "striate/perception/recognition/oriented_keypoints.hpp"
+#include "striate/perception/recognition/recogniser.hpp"
 
-namespace striate {
+namespace striate::perception {
 
-/// Where memory expects a landmark, in the robot frame at the moment of the picture.
+/// Where memory expects a landmark, in the robot frame at the moment of the image.
 struct LandmarkExpectation {
   int landmark = 0;
   SpacePoint place;      ///< of its middle
   double half_m = 0.15;  ///< it reaches so far to either side, up and down
 };
 
-/// How memory guides the eye in one picture. Only looks at what is its maker's, who says for how
+/// How memory guides the eye in one image. Only looks at what is its maker's, who says for how
 /// long it holds. Empty: nothing is looked for.
 struct LandmarkExpectations {
   /// Numbers of views (their places in the list that the finder was made with) in the order in
   /// which they are compared, the most active first. Where they are more than the budget, the first
-  /// take three quarters of it, and the others take turns from picture to picture. Views that are
+  /// take three quarters of it, and the others take turns from image to image. Views that are
   /// not in it are not looked for.
   std::span<const int> views;
   /// Where landmarks are expected; the first are looked at first.
   std::span<const LandmarkExpectation> places;
 };
 
-/// What looking for landmarks in one picture came to; both empty where it was not its turn.
+/// What looking for landmarks in one image came to; both empty where it was not its turn.
 struct LandmarkLook {
   std::vector<Recognition> recognitions;  ///< most inliers first
   std::vector<ExpectedLook> expected;     ///< of each landmark that was expected somewhere
@@ -45,7 +45,7 @@ struct KnownView {
   LandmarkView view;
 };
 
-/// Looks for landmarks in a picture: where memory expects one, then in the salient regions, most
+/// Looks for landmarks in an image: where memory expects one, then in the salient regions, most
 /// salient first. Keypoints of those windows, found at the camera's full size, are compared with
 /// the views in the order that memory gives. The paper's section on recognition.
 ///
@@ -61,9 +61,9 @@ class LandmarkFinder {
 
   [[nodiscard]] std::size_t views() const { return recogniser_.size(); }
 
-  /// Looks where this picture's turn has come.
-  /// @param grey the left picture at the camera's full size
-  /// @param percept of the same picture; its disparity and salient regions are at the working size
+  /// Looks where this image's turn has come.
+  /// @param grey the left image at the camera's full size
+  /// @param percept of the same image; its disparity and salient regions are at the working size
   [[nodiscard]] LandmarkLook find(const cv::Mat1b& grey, const ViewGeometry& geometry,
                                   const Percept& percept, const LandmarkExpectations& expected);
 
@@ -88,11 +88,11 @@ class LandmarkFinder {
   const Clock* clock_ = nullptr;
   std::int64_t pictures_ = 0;
 
-  double zoom_ = 1.0;  ///< pixels of the picture in a pixel of the working size
+  double zoom_ = 1.0;  ///< pixels of the image in a pixel of the working size
   LookWindows windows_;
   std::array<std::unique_ptr<OrientedKeypoints>, LookWindows::kSizes> keypoints_of_size_;
   std::vector<Keypoint> in_window_, keypoints_;
   std::vector<float> disparities_;
 };
 
-}  // namespace striate
+}  // namespace striate::perception

@@ -1,12 +1,12 @@
-#include "perception/recognition/landmark_view.hpp"
+#include "striate/perception/recognition/landmark_view.hpp"
 
-#include "base/user_error.hpp"
+#include "striate/base/user_error.hpp"
 
-namespace striate {
+namespace striate::perception {
 
 LandmarkView make_view(const cv::Mat1b& grey, const cv::Rect& region, const KeypointSource& find) {
   const cv::Rect part = region & cv::Rect(0, 0, grey.cols, grey.rows);
-  if (part.empty()) throw UserError("a view's region lies outside its picture");
+  if (part.empty()) throw UserError("a view's region lies outside its image");
   LandmarkView view;
   view.width_px = part.width;
   view.height_px = part.height;
@@ -23,4 +23,4 @@ LandmarkView make_view(const cv::Mat1b& grey, const cv::Rect& region, const Keyp
   return view;
 }
 
-}  // namespace striate
+}  // namespace striate::perception

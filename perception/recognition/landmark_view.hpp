@@ -4,9 +4,9 @@
 #include <opencv2/core/mat.hpp>
 #include <vector>
 
-#include "perception/percept.hpp"
+#include "striate/perception/percept.hpp"
 
-namespace striate {
+namespace striate::perception {
 
 /// Where a keypoint of a view is: 16 bytes, as they may be stored.
 struct ViewKeypoint {
@@ -26,12 +26,12 @@ struct LandmarkView {
   double height_px = 0.0;
 };
 
-/// How a picture becomes keypoints. The same one must teach and recognise.
+/// How an image becomes keypoints. The same one must teach and recognise.
 using KeypointSource = std::function<std::vector<Keypoint>(const cv::Mat1b&)>;
 
-/// A view of what `region` of a picture shows; the keypoints are those of the region alone, with
-/// the surroundings at its rim. @throws UserError where the region has no pixel of the picture.
+/// A view of what `region` of an image shows; the keypoints are those of the region alone, with
+/// the surroundings at its rim. @throws UserError where the region has no pixel of the image.
 [[nodiscard]] LandmarkView make_view(const cv::Mat1b& grey, const cv::Rect& region,
                                      const KeypointSource& find);
 
-}  // namespace striate
+}  // namespace striate::perception

@@ -3,23 +3,23 @@
 #include <opencv2/core/types.hpp>
 #include <vector>
 
-namespace striate {
+namespace striate::perception {
 
-/// A part of the picture to be looked at closely.
+/// A part of the image to be looked at closely.
 struct LookWindow {
-  cv::Rect part;  ///< within the picture
+  cv::Rect part;  ///< within the image
   int size = 0;   ///< 0 .. LookWindows::kSizes - 1: all windows of one size are equally large
 };
 
-/// Chooses windows around regions. A window has one of five sizes, a fixed share of the picture
+/// Chooses windows around regions. A window has one of five sizes, a fixed share of the image
 /// each: what works on them finds buffers of the right size and need not allocate.
 class LookWindows {
  public:
-  /// About a factor 1.5 apart, from a fifth of the picture to all of it (kShares)
+  /// About a factor 1.5 apart, from a fifth of the image to all of it (kShares)
   static constexpr int kSizes = 5;
 
-  void begin(cv::Size picture, int most);
-  /// Adds a window around `box` (pixels of the picture; may reach beyond it) unless most of it is
+  void begin(cv::Size image, int most);
+  /// Adds a window around `box` (pixels of the image; may reach beyond it) unless most of it is
   /// looked at already or there are enough.
   void add(const cv::Rect2d& box);
   [[nodiscard]] const std::vector<LookWindow>& windows() const { return windows_; }
@@ -27,9 +27,9 @@ class LookWindows {
   [[nodiscard]] bool covered(double u_px, double v_px, std::size_t count) const;
 
  private:
-  cv::Size picture_;
+  cv::Size image_;
   std::size_t most_ = 0;
   std::vector<LookWindow> windows_;
 };
 
-}  // namespace striate
+}  // namespace striate::perception

@@ -1,6 +1,6 @@
-#include "perception/recognition/oriented_keypoints.hpp"
+#include "striate/perception/recognition/oriented_keypoints.hpp"
 
-namespace striate {
+namespace striate::perception {
 namespace {
 
 bool same_frame(const Keypoint& point, const DescribedFrame& frame) {
@@ -43,4 +43,4 @@ std::vector<Keypoint> OrientedKeypoints::operator()(const cv::Mat1b& grey) {
   return points;
 }
 
-}  // namespace striate
+}  // namespace striate::perception

@@ -4,10 +4,10 @@
 #include <span>
 #include <vector>
 
-#include "perception/descriptor/striate_descriptor.hpp"
-#include "perception/keypoints/keypoints.hpp"
+#include "striate/perception/descriptor/striate_descriptor.hpp"
+#include "striate/perception/keypoints/keypoints.hpp"
 
-namespace striate {
+namespace striate::perception {
 
 struct OrientedSettings {
   /// Which keypoints: all sizes from fine to coarse.
@@ -28,7 +28,7 @@ class OrientedKeypoints {
   /// Throws UserError for settings out of range.
   explicit OrientedKeypoints(const OrientedSettings& settings);
 
-  /// Strongest first. An empty picture throws std::invalid_argument.
+  /// Strongest first. An empty image throws std::invalid_argument.
   void find(const cv::Mat1b& grey, std::vector<Keypoint>& out);
   /// Describes keypoints that were found elsewhere (those of a salient region, say) in `grey`.
   /// @param out in the same order; those with two directions stand twice. Must not be `found`.
@@ -44,4 +44,4 @@ class OrientedKeypoints {
   std::vector<Descriptor> descriptors_;
 };
 
-}  // namespace striate
+}  // namespace striate::perception

@@ -1,37 +1,37 @@
-#include "perception/recognition/pose.hpp"
+#include "striate/perception/recognition/pose.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-namespace striate {
+namespace striate::perception {
 namespace {
 
 /// Means and centred second moments of pairs.
 struct Moments {
-  double u = 0.0, v = 0.0, u_picture = 0.0, v_picture = 0.0;
+  double u = 0.0, v = 0.0, u_image = 0.0, v_image = 0.0;
   double uu = 0.0, uv = 0.0, vv = 0.0;
-  double u_up = 0.0, u_vp = 0.0, v_up = 0.0, v_vp = 0.0;  ///< view's u or v, picture's u or v
+  double u_up = 0.0, u_vp = 0.0, v_up = 0.0, v_vp = 0.0;  ///< view's u or v, image's u or v
 
   explicit Moments(std::span<const PlacePair> pairs) {
     const double count = static_cast<double>(pairs.size());
     for (const PlacePair& pair : pairs) {
       u += pair.view.u_px / count;
       v += pair.view.v_px / count;
-      u_picture += pair.picture.u_px / count;
-      v_picture += pair.picture.v_px / count;
+      u_image += pair.image.u_px / count;
+      v_image += pair.image.v_px / count;
     }
     for (const PlacePair& pair : pairs) {
       const double x = pair.view.u_px - u, y = pair.view.v_px - v;
-      const double xp = pair.picture.u_px - u_picture, yp = pair.picture.v_px - v_picture;
+      const double xp = pair.image.u_px - u_image, yp = pair.image.v_px - v_image;
       uu += x * x, uv += x * y, vv += y * y;
       u_up += x * xp, u_vp += x * yp, v_up += y * xp, v_vp += y * yp;
     }
   }
   /// Shifts the pose so that mean falls on mean.
   [[nodiscard]] Pose centred(Pose pose) const {
-    pose.c = u_picture - pose.a * u - pose.b * v;
-    pose.f = v_picture - pose.d * u - pose.e * v;
+    pose.c = u_image - pose.a * u - pose.b * v;
+    pose.f = v_image - pose.d * u - pose.e * v;
     return pose;
   }
 };
@@ -60,11 +60,11 @@ double Pose::stretch() const {
 }
 
 Pose pose_of_pair(const PlacePair& pair) {
-  const double scale = pair.picture.size_px / pair.view.size_px;
-  const double turn = pair.picture.angle_rad - pair.view.angle_rad;
+  const double scale = pair.image.size_px / pair.view.size_px;
+  const double turn = pair.image.angle_rad - pair.view.angle_rad;
   const double c = scale * std::cos(turn), s = scale * std::sin(turn);
-  return {c, -s, pair.picture.u_px - c * pair.view.u_px + s * pair.view.v_px,
-          s, c,  pair.picture.v_px - s * pair.view.u_px - c * pair.view.v_px};
+  return {c, -s, pair.image.u_px - c * pair.view.u_px + s * pair.view.v_px,
+          s, c,  pair.image.v_px - s * pair.view.u_px - c * pair.view.v_px};
 }
 
 Pose fit_similarity(std::span<const PlacePair> pairs) {
@@ -88,4 +88,4 @@ Pose fit_affine(std::span<const PlacePair> pairs) {
   return m.centred(pose);
 }
 
-}  // namespace striate
+}  // namespace striate::perception

@@ -2,30 +2,30 @@
 
 #include <span>
 
-#include "perception/percept.hpp"
+#include "striate/perception/percept.hpp"
 
-namespace striate {
+namespace striate::perception {
 
 /// Where a keypoint is, how large, and which way it is turned.
-struct Place {
+struct KeypointFrame {
   double u_px = 0.0;
   double v_px = 0.0;
   double size_px = 1.0;
   double angle_rad = 0.0;  ///< from +u towards +v
 };
 
-[[nodiscard]] inline Place place_of(const Keypoint& point) {
+[[nodiscard]] inline KeypointFrame place_of(const Keypoint& point) {
   return {point.u_px, point.v_px, point.wavelength_px, point.angle_rad};
 }
 
-/// A keypoint of a view and one of the picture that may show the same.
+/// A keypoint of a view and one of the image that may show the same.
 struct PlacePair {
-  Place view;
-  Place picture;
+  KeypointFrame view;
+  KeypointFrame image;
   int view_point = 0;  ///< index in the view
 };
 
-/// An affine map from view to picture: u' = a u + b v + c, v' = d u + e v + f.
+/// An affine map from view to image: u' = a u + b v + c, v' = d u + e v + f.
 struct Pose {
   double a = 1.0, b = 0.0, c = 0.0;
   double d = 0.0, e = 1.0, f = 0.0;
@@ -33,7 +33,7 @@ struct Pose {
   [[nodiscard]] double u_of(double u, double v) const { return a * u + b * v + c; }
   [[nodiscard]] double v_of(double u, double v) const { return d * u + e * v + f; }
   [[nodiscard]] double determinant() const { return a * e - b * d; }
-  /// Picture pixels a pixel of the view; 0 for a mirrored pose.
+  /// Image pixels a pixel of the view; 0 for a mirrored pose.
   [[nodiscard]] double scale() const;
   /// How far it turns, from +u towards +v.
   [[nodiscard]] double angle_rad() const;
@@ -50,4 +50,4 @@ struct Pose {
 /// Least squares over all pairs, six parameters; where they lie on a line the similarity.
 [[nodiscard]] Pose fit_affine(std::span<const PlacePair> pairs);
 
-}  // namespace striate
+}  // namespace striate::perception

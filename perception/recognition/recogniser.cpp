@@ -1,12 +1,12 @@
-#include "perception/recognition/recogniser.hpp"
+#include "striate/perception/recognition/recogniser.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
-#include "base/user_error.hpp"
+#include "striate/base/user_error.hpp"
 
-namespace striate {
+namespace striate::perception {
 namespace {
 
 /// The rectangle that encloses what was added.
@@ -32,11 +32,11 @@ void check(const RecognitionSettings& s) {
   if (s.least_inliers < 3) throw UserError("recognition: 'least_inliers' must be at least 3");
 }
 
-Place place_of(const ViewKeypoint& point) {
+KeypointFrame place_of(const ViewKeypoint& point) {
   return {point.x_px, point.y_px, point.size_px, point.angle_rad};
 }
 
-/// Where the view's frame and centre are in the picture.
+/// Where the view's frame and centre are in the image.
 void write_pose(const Pose& pose, double width_px, double height_px, Recognition& to) {
   Box box;
   for (const double u : {-0.5, width_px - 0.5}) {
@@ -112,7 +112,7 @@ void Recogniser::look_for(int number, std::span<const Keypoint> keypoints) {
   if (!view.in_use) return;
   ++looked_at_;
   Recognition found{.landmark = view.landmark, .view = number};
-  const bool there = settings_.setting == RecognitionSetting::paper
+  const bool there = settings_.mode == RecognitionMode::paper
                          ? find_by_papers_rule(view, keypoints, found)
                          : find_pose(view, keypoints, found);
   if (there) keep(found);
@@ -167,20 +167,20 @@ double Recogniser::share_of_visible(const View& view, const Consensus& consensus
   // Of the finest keypoint's size: scales are sqrt(2) apart, so half a step is 0.84 (ours)
   constexpr double kAboutAsLarge = 0.9;
   const double least_px = kAboutAsLarge * finest_px_ / consensus.pose.scale();
-  const auto visible =
-      std::ranges::count_if(view.places, [&](const Place& p) { return p.size_px >= least_px; });
+  const auto visible = std::ranges::count_if(
+      view.places, [&](const KeypointFrame& p) { return p.size_px >= least_px; });
   return consensus.inliers / std::max(1.0, static_cast<double>(visible));
 }
 
 /// The nearest keypoint of a view, if another place of the view is not nearly as near.
-/// @param matches of one keypoint of the picture.
+/// @param matches of one keypoint of the image.
 void Recogniser::add_pair(const View& view, const Keypoint& keypoint,
                           std::span<const Match> matches) {
   const Match& first = *std::ranges::min_element(matches, {}, &Match::distance_bits);
-  const Place& place = view.places[first.stored];
+  const KeypointFrame& place = view.places[first.stored];
   double second_bits = settings_.limit_bits;
   for (const Match& match : matches) {
-    const Place& other = view.places[match.stored];
+    const KeypointFrame& other = view.places[match.stored];
     // The same place at a neighbouring scale or with its other angle is no rival.
     if (std::hypot(other.u_px - place.u_px, other.v_px - place.v_px) < place.size_px) continue;
     second_bits = std::min<double>(second_bits, match.distance_bits);
@@ -196,7 +196,7 @@ void Recogniser::keep(const Recognition& recognition) {
     found_.push_back(recognition);
     return;
   }
-  const bool better = settings_.setting == RecognitionSetting::paper
+  const bool better = settings_.mode == RecognitionMode::paper
                           ? recognition.matched_fraction > same->matched_fraction
                           : recognition.inliers > same->inliers;
   if (better) *same = recognition;
@@ -210,4 +210,4 @@ const std::vector<Recognition>& Recogniser::sorted() {
   return found_;
 }
 
-}  // namespace striate
+}  // namespace striate::perception

@@ -5,13 +5,13 @@
 #include <span>
 #include <vector>
 
-#include "perception/matching/descriptor_store.hpp"
-#include "perception/matching/hamming_search.hpp"
-#include "perception/recognition/consensus.hpp"
-#include "perception/recognition/landmark_view.hpp"
-#include "perception/recognition/recognition_settings.hpp"
+#include "striate/perception/matching/descriptor_store.hpp"
+#include "striate/perception/matching/hamming_search.hpp"
+#include "striate/perception/recognition/consensus.hpp"
+#include "striate/perception/recognition/landmark_view.hpp"
+#include "striate/perception/recognition/recognition_settings.hpp"
 
-namespace striate {
+namespace striate::perception {
 
 /// How much looking may cost. The views that come first in the order are looked at first.
 struct RecognitionBudget {
@@ -21,9 +21,9 @@ struct RecognitionBudget {
   std::function<bool()> goes_on;
 };
 
-/// Finds landmarks that were taught in the keypoints of a picture or of a salient region. Holds the
+/// Finds landmarks that were taught in the keypoints of an image or of a salient region. Holds the
 /// views as searching wants them; who remembers landmarks adds and removes them. Nothing is
-/// allocated once the buffers have grown to what the pictures need.
+/// allocated once the buffers have grown to what the images need.
 class Recogniser {
  public:
   /// @throws UserError for settings out of range.
@@ -56,7 +56,7 @@ class Recogniser {
     bool in_use = false;
     int landmark = 0;
     DescriptorStore store;
-    std::vector<Place> places;  ///< of each descriptor
+    std::vector<KeypointFrame> places;  ///< of each descriptor
     double width_px = 0.0;
     double height_px = 0.0;
   };
@@ -75,7 +75,7 @@ class Recogniser {
   RecognitionSettings settings_;
   std::vector<View> views_;
   std::size_t in_use_ = 0, looked_at_ = 0;
-  double finest_px_ = 0.0;  ///< least size of the picture's keypoints
+  double finest_px_ = 0.0;  ///< least size of the image's keypoints
   HammingSearch search_;
   ConsensusFinder consensus_;
   std::vector<Descriptor> queries_;
@@ -84,4 +84,4 @@ class Recogniser {
   std::vector<Recognition> found_;
 };
 
-}  // namespace striate
+}  // namespace striate::perception

@@ -1,14 +1,14 @@
 #pragma once
 
-#include "config/settings.hpp"
+#include "striate/config/settings.hpp"
 
-namespace striate {
+namespace striate::perception {
 
-enum class RecognitionSetting { paper, robust };
+enum class RecognitionMode { paper, robust };
 
 /// When an object counts as recognised.
 struct RecognitionSettings {
-  RecognitionSetting setting = RecognitionSetting::robust;
+  RecognitionMode mode = RecognitionMode::robust;
   int paper_limit_bits = 48;  ///< paper: a match is below it; section on recognition
   /// Paper: of a view's descriptors that must have a match; section on recognition
   double paper_share = 0.5;
@@ -24,18 +24,19 @@ struct RecognitionSettings {
   double fit_tolerance = 0.04;
   /// How much longer one direction may be drawn than the other: a side seen 66 deg aslant
   double most_stretch = 2.5;
-  /// Of the view in the picture, its inverse is the largest: taught at 0.6 m, seen at 4 m (ours)
+  /// Of the view in the image, its inverse is the largest: taught at 0.6 m, seen at 4 m (ours)
   double least_scale = 0.15;
   /// Of a view's keypoints large enough at that scale; 0: any. The cycle asks for 0.12
   double least_share = 0.0;
-  /// How far the view may be turned in the picture; pi: any way. The cycle allows 45 deg
+  /// How far the view may be turned in the image; pi: any way. The cycle allows 45 deg
   double most_turn_rad = 3.2;
 };
 
 template <class V>
 void visit(V& v, RecognitionSettings& s) {
   using config::Unit;
-  v.choice("setting", s.setting, {"paper", "robust"}, "the paper's rule, or with geometry");
+  v.renamed("setting", "mode");
+  v.choice("mode", s.mode, {"paper", "robust"}, "the paper's rule, or with geometry");
   v.integer("paper_limit", s.paper_limit_bits, {1, 257}, "bits; a match of the paper is below it");
   v.number("paper_share", s.paper_share, Unit::fraction, {0.0, 1.0},
            "of a view's descriptors that must have a match");
@@ -54,7 +55,7 @@ void visit(V& v, RecognitionSettings& s) {
   v.number("least_share", s.least_share, Unit::fraction, {0.0, 1.0},
            "of a view's keypoints, those large enough to be seen at its scale, that must agree");
   v.number("most_turn", s.most_turn_rad, Unit::angle, {0.0, 3.2},
-           "how far a view may be turned in the picture");
+           "how far a view may be turned in the image");
 }
 
-}  // namespace striate
+}  // namespace striate::perception

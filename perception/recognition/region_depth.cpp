@@ -1,9 +1,9 @@
-#include "perception/recognition/region_depth.hpp"
+#include "striate/perception/recognition/region_depth.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-namespace striate {
+namespace striate::perception {
 
 double median_disparity_px(const DisparityMap& map, const cv::Rect2d& box,
                            std::vector<float>& buffer) {
@@ -28,4 +28,4 @@ double median_disparity_px(const DisparityMap& map, const cv::Rect2d& box,
   return *middle;
 }
 
-}  // namespace striate
+}  // namespace striate::perception

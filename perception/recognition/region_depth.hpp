@@ -3,9 +3,9 @@
 #include <opencv2/core/types.hpp>
 #include <vector>
 
-#include "perception/percept.hpp"
+#include "striate/perception/percept.hpp"
 
-namespace striate {
+namespace striate::perception {
 
 /// Median of the trusted disparities in a box of the working image; 0 where less than a tenth of
 /// it is known, else the distance would be that of a stray pixel.
@@ -13,4 +13,4 @@ namespace striate {
 [[nodiscard]] double median_disparity_px(const DisparityMap& map, const cv::Rect2d& box,
                                          std::vector<float>& buffer);
 
-}  // namespace striate
+}  // namespace striate::perception

@@ -1,10 +1,10 @@
-#include "perception/recognition/thing_region.hpp"
+#include "striate/perception/recognition/thing_region.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
-namespace striate {
+namespace striate::perception {
 namespace {
 
 /// 11 deg: a region farther from the line of sight is another thing; the servos err by less
@@ -104,13 +104,13 @@ std::optional<ThingRegion> find_thing(const Percept& percept, const ViewGeometry
   return thing;
 }
 
-cv::Rect full_size_box(const ThingRegion& thing, cv::Size picture) {
-  const double zoom = static_cast<double>(picture.width) / thing.mask.cols;
+cv::Rect full_size_box(const ThingRegion& thing, cv::Size image) {
+  const double zoom = static_cast<double>(image.width) / thing.mask.cols;
   const cv::Rect box(static_cast<int>(std::lround(thing.box.x * zoom)),
                      static_cast<int>(std::lround(thing.box.y * zoom)),
                      static_cast<int>(std::lround(thing.box.width * zoom)),
                      static_cast<int>(std::lround(thing.box.height * zoom)));
-  return box & cv::Rect({0, 0}, picture);
+  return box & cv::Rect({0, 0}, image);
 }
 
 LandmarkView view_of_thing(const cv::Mat1b& grey, const ThingRegion& thing,
@@ -138,4 +138,4 @@ LandmarkView view_of_thing(const cv::Mat1b& grey, const ThingRegion& thing,
   return view;
 }
 
-}  // namespace striate
+}  // namespace striate::perception

@@ -3,10 +3,10 @@
 #include <opencv2/core/mat.hpp>
 #include <optional>
 
-#include "perception/obstacles/view_geometry.hpp"
-#include "perception/recognition/landmark_view.hpp"
+#include "striate/perception/obstacles/view_geometry.hpp"
+#include "striate/perception/recognition/landmark_view.hpp"
 
-namespace striate {
+namespace striate::perception {
 
 /// A thing cut out of its surroundings: what is salient and equally far.
 struct ThingRegion {
@@ -24,11 +24,11 @@ struct ThingRegion {
                                                     const ViewGeometry& geometry,
                                                     double bearing_rad);
 
-/// What the camera sees of the thing, at its full size. @param grey the left picture.
+/// What the camera sees of the thing, at its full size. @param grey the left image.
 [[nodiscard]] LandmarkView view_of_thing(const cv::Mat1b& grey, const ThingRegion& thing,
                                          const KeypointSource& find);
 
-/// The box of the thing in the full picture.
-[[nodiscard]] cv::Rect full_size_box(const ThingRegion& thing, cv::Size picture);
+/// The box of the thing in the full image.
+[[nodiscard]] cv::Rect full_size_box(const ThingRegion& thing, cv::Size image);
 
-}  // namespace striate
+}  // namespace striate::perception

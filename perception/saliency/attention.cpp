@@ -1,11 +1,11 @@
-#include "perception/saliency/attention.hpp"
+#include "striate/perception/saliency/attention.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "base/geometry.hpp"
+#include "striate/base/geometry.hpp"
 
-namespace striate {
+namespace striate::perception {
 
 void Attention::look(const std::vector<SalientRegion>& regions, const ViewShift& shift) {
   // Share of inhibition, after 4.6 times recovery_s: less changes no order that can be seen
@@ -63,4 +63,4 @@ void Attention::inhibit(const SalientRegion& region) {
   *place = {region.bearing_rad, region.v_px, 1.0};
 }
 
-}  // namespace striate
+}  // namespace striate::perception

@@ -4,10 +4,10 @@
 #include <cstddef>
 #include <vector>
 
-#include "config/settings.hpp"
-#include "perception/percept.hpp"
+#include "striate/config/settings.hpp"
+#include "striate/perception/percept.hpp"
 
-namespace striate {
+namespace striate::perception {
 
 struct AttentionSettings {
   /// Time constant with which a visited place recovers: some looks elsewhere (ours)
@@ -16,7 +16,7 @@ struct AttentionSettings {
   double least = 0.25;
   /// 5.7 deg, 20 px at width 160: a place this near is the same, and so is what ...
   double same_bearing_rad = 0.10;
-  double same_height_px = 8.0;  ///< ... also is this near in the picture; half its size if larger
+  double same_height_px = 8.0;  ///< ... also is this near in the image; half its size if larger
 };
 
 template <class V>
@@ -32,7 +32,7 @@ void visit(V& v, AttentionSettings& s) {
            "rows within which it is the same place");
 }
 
-/// How places moved in the view since the picture before.
+/// How places moved in the view since the image before.
 struct ViewShift {
   double seconds = 0.0;  ///< that passed; not negative
   double bearing_rad =
@@ -41,19 +41,19 @@ struct ViewShift {
   double rows_px = 0.0;  ///< what is added to rows: downwards where the head tilts up
 };
 
-/// Hands the proto-objects of a sequence of pictures out, most salient first, with inhibition of
+/// Hands the proto-objects of a sequence of images out, most salient first, with inhibition of
 /// return (the paper's section on saliency): what was handed out is inhibited wholly, moves with
 /// the view, and recovers exponentially, so that attention visits everything before it comes back,
 /// and comes back to what is most salient first. Ours: that inhibition recovers and moves.
 ///
-/// This is about pictures: which region recognition looks at next. What the robot knows of salient
+/// This is about images: which region recognition looks at next. What the robot knows of salient
 /// things beyond the view, for how long its head looked at them, and where to turn next is
 /// memory/salient_memory. Neither needs the other.
 class Attention {
  public:
   explicit Attention(const AttentionSettings& settings) : settings_(settings) {}
 
-  /// A new picture's regions, in any order.
+  /// A new image's regions, in any order.
   void look(const std::vector<SalientRegion>& regions, const ViewShift& shift);
   /// The region with the most salience left, which is inhibited thereby; nullptr when none is left
   /// above `least`. Valid until the next look().
@@ -75,4 +75,4 @@ class Attention {
   std::array<Visited, 32> visited_{};  ///< the most recovered gives way
 };
 
-}  // namespace striate
+}  // namespace striate::perception

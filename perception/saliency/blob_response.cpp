@@ -1,12 +1,12 @@
-#include "perception/saliency/blob_response.hpp"
+#include "striate/perception/saliency/blob_response.hpp"
 
 #include <array>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
-#include "perception/saliency/gaussian.hpp"
+#include "striate/perception/saliency/gaussian.hpp"
 
-namespace striate {
+namespace striate::perception {
 namespace {
 
 /// Gaussian of `sigma_px` at the working size, for a plane that is `factor` times smaller.
@@ -61,4 +61,4 @@ void add_blob_response(const cv::Mat1f& plane, Rectify rectify, cv::Mat1f& sum) 
   }
 }
 
-}  // namespace striate
+}  // namespace striate::perception

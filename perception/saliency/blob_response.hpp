@@ -2,7 +2,7 @@
 
 #include <opencv2/core/mat.hpp>
 
-namespace striate {
+namespace striate::perception {
 
 /// Differences of Gaussians with sigma+ 5, 10 and 20 px and sigma- twice that, summed over scales.
 /// A Gaussian of 5 px is computed at half size, 10 px at a quarter, 20 and 40 px at an eighth;
@@ -12,4 +12,4 @@ enum class Rectify { half, both };  ///< max(0, x), or |x|: a map and its comple
 /// Adds the response of `plane` (half the working size) to `sum` (same size).
 void add_blob_response(const cv::Mat1f& plane, Rectify rectify, cv::Mat1f& sum);
 
-}  // namespace striate
+}  // namespace striate::perception

@@ -1,8 +1,8 @@
-#include "perception/saliency/gaussian.hpp"
+#include "striate/perception/saliency/gaussian.hpp"
 
 #include <opencv2/imgproc.hpp>
 
-namespace striate {
+namespace striate::perception {
 
 Gaussian::Gaussian(double sigma_px)
     : sigma_px_(sigma_px),
@@ -13,4 +13,4 @@ void Gaussian::blur(const cv::Mat& in, cv::Mat& out) const {
   cv::sepFilter2D(in, out, CV_32F, kernel_, kernel_, {-1, -1}, 0.0, cv::BORDER_REFLECT);
 }
 
-}  // namespace striate
+}  // namespace striate::perception

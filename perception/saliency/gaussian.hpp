@@ -2,7 +2,7 @@
 
 #include <opencv2/core/mat.hpp>
 
-namespace striate {
+namespace striate::perception {
 
 /// A Gaussian blur whose kernel is made once: cv::GaussianBlur makes it anew in each call, in
 /// software floating point, which takes longer than filtering planes of this size. The same bits
@@ -19,4 +19,4 @@ class Gaussian {
   cv::Mat kernel_;
 };
 
-}  // namespace striate
+}  // namespace striate::perception

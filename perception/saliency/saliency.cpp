@@ -1,13 +1,13 @@
-#include "perception/saliency/saliency.hpp"
+#include "striate/perception/saliency/saliency.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
-#include "perception/saliency/blob_response.hpp"
+#include "striate/perception/saliency/blob_response.hpp"
 
-namespace striate {
+namespace striate::perception {
 namespace {
 
 cv::Mat1f near_disparity(const DisparityMap& map, cv::Size half, const SaliencySettings& settings) {
@@ -24,13 +24,13 @@ cv::Mat1f near_disparity(const DisparityMap& map, cv::Size half, const SaliencyS
   return near;
 }
 
-cv::Size half_of(const cv::Mat3b& picture) {
-  return {(picture.cols + 1) / 2, (picture.rows + 1) / 2};
+cv::Size half_of(const cv::Mat3b& image) {
+  return {(image.cols + 1) / 2, (image.rows + 1) / 2};
 }
 
-void add_colour(const cv::Mat3b& picture, cv::Mat1f& sum) {
+void add_colour(const cv::Mat3b& image, cv::Mat1f& sum) {
   cv::Mat small;
-  cv::resize(picture, small, sum.size(), 0, 0, cv::INTER_AREA);
+  cv::resize(image, small, sum.size(), 0, 0, cv::INTER_AREA);
   small.convertTo(small, CV_32FC3, 1.0 / 255.0);
   cv::cvtColor(small, small, cv::COLOR_BGR2Lab);
   std::array<cv::Mat1f, 3> lab;
@@ -38,15 +38,15 @@ void add_colour(const cv::Mat3b& picture, cv::Mat1f& sum) {
   for (const cv::Mat1f& plane : lab) add_blob_response(plane, Rectify::both, sum);
 }
 
-cv::Mat1f sum_of_maps(const cv::Mat3b& picture, const DisparityMap& map,
+cv::Mat1f sum_of_maps(const cv::Mat3b& image, const DisparityMap& map,
                       const SaliencySettings& settings) {
-  const cv::Size half = half_of(picture);
+  const cv::Size half = half_of(image);
   cv::Mat1f sum(half, 0.0F);
-  add_colour(picture, sum);
+  add_colour(image, sum);
   if (!map.disparity_px.empty()) {
     add_blob_response(near_disparity(map, half, settings), Rectify::half, sum);
   }
-  cv::resize(sum, sum, picture.size(), 0, 0, cv::INTER_LINEAR);
+  cv::resize(sum, sum, image.size(), 0, 0, cv::INTER_LINEAR);
   return sum;
 }
 
@@ -128,11 +128,11 @@ void prefer_centre(double share, cv::Mat1f& salience) {
   }
 }
 
-SaliencyMap find_salience(const cv::Mat3b& picture, const DisparityMap& map,
+SaliencyMap find_salience(const cv::Mat3b& image, const DisparityMap& map,
                           const ViewGeometry& geometry, const SaliencySettings& settings) {
   SaliencyMap result;
-  if (picture.empty()) return result;
-  result.salience = sum_of_maps(picture, map, settings);
+  if (image.empty()) return result;
+  result.salience = sum_of_maps(image, map, settings);
   normalise_and_cut(geometry, map, settings, result);
   return result;
 }
@@ -173,9 +173,9 @@ void SaliencyFinder::add_motion(const cv::Mat1b& grey) {
   add_channel(settings_.motion, settings_.least_contrast);
 }
 
-void SaliencyFinder::sum_of_channels(const cv::Mat3b& picture, const DisparityMap& map) {
-  half_.create(half_of(picture));
-  sum_.create(quarter_of(picture.size()));
+void SaliencyFinder::sum_of_channels(const cv::Mat3b& image, const DisparityMap& map) {
+  half_.create(half_of(image));
+  sum_.create(quarter_of(image.size()));
   sum_.setTo(0.0F);
   const auto add_half = [&](double weight) {
     cv::resize(half_, channel_, sum_.size(), 0, 0, cv::INTER_AREA);
@@ -183,11 +183,11 @@ void SaliencyFinder::sum_of_channels(const cv::Mat3b& picture, const DisparityMa
   };
   if (settings_.colour > 0.0) {
     half_.setTo(0.0F);
-    add_colour(picture, half_);
+    add_colour(image, half_);
     add_half(settings_.colour);
   }
   cv::Mat1b grey;
-  cv::cvtColor(picture, grey, cv::COLOR_BGR2GRAY);
+  cv::cvtColor(image, grey, cv::COLOR_BGR2GRAY);
   if (settings_.texture > 0.0 || settings_.shape > 0.0) add_v1_channels(grey);
   if (settings_.near > 0.0 && !map.disparity_px.empty()) {
     half_.setTo(0.0F);
@@ -197,18 +197,18 @@ void SaliencyFinder::sum_of_channels(const cv::Mat3b& picture, const DisparityMa
   if (settings_.motion > 0.0) add_motion(grey);
 }
 
-SaliencyMap SaliencyFinder::find(const cv::Mat3b& picture, const DisparityMap& map,
+SaliencyMap SaliencyFinder::find(const cv::Mat3b& image, const DisparityMap& map,
                                  const ViewGeometry& geometry) {
-  if (picture.empty() || settings_.setting == SaliencySetting::paper) {
-    return find_salience(picture, map, geometry, settings_);
+  if (image.empty() || settings_.mode == SaliencyMode::paper) {
+    return find_salience(image, map, geometry, settings_);
   }
-  sum_of_channels(picture, map);
+  sum_of_channels(image, map);
   sum_ = sum_.mul(sum_);
-  const double sigma_px = std::max(0.3, 0.25 * settings_.smooth_px * picture.cols / 160.0);
+  const double sigma_px = std::max(0.3, 0.25 * settings_.smooth_px * image.cols / 160.0);
   if (smooth_.sigma_px() != sigma_px) smooth_ = Gaussian(sigma_px);
   smooth_.blur(sum_, sum_);
   SaliencyMap result;
-  cv::resize(sum_, result.salience, picture.size(), 0, 0, cv::INTER_LINEAR);
+  cv::resize(sum_, result.salience, image.size(), 0, 0, cv::INTER_LINEAR);
   if (settings_.centre > 0.0) prefer_centre(settings_.centre, result.salience);
   SaliencySettings cut = settings_;
   cut.least_contrast = 1.0;                                   // in units of the channels' means
@@ -217,4 +217,4 @@ SaliencyMap SaliencyFinder::find(const cv::Mat3b& picture, const DisparityMap& m
   return result;
 }
 
-}  // namespace striate
+}  // namespace striate::perception

@@ -1,14 +1,14 @@
-#include "perception/saliency/v1_channels.hpp"
+#include "striate/perception/saliency/v1_channels.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <opencv2/imgproc.hpp>
 
-#include "perception/keypoints/end_stopped_kernels.hpp"
-#include "perception/saliency/gaussian.hpp"
+#include "striate/perception/keypoints/end_stopped_kernels.hpp"
+#include "striate/perception/saliency/gaussian.hpp"
 
-namespace striate {
+namespace striate::perception {
 namespace {
 
 /// Px of the working size; four times cheaper than half, at no loss of AUC (tests/evaluation)
@@ -107,4 +107,4 @@ void V1Channels::shape(cv::Mat1f& out) const {
   }
 }
 
-}  // namespace striate
+}  // namespace striate::perception

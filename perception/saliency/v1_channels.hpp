@@ -5,9 +5,9 @@
 #include <opencv2/core/mat.hpp>
 #include <vector>
 
-#include "perception/v1/v1_cells.hpp"
+#include "striate/perception/v1/v1_cells.hpp"
 
-namespace striate {
+namespace striate::perception {
 
 /// Complex-cell responses of 8 orientations in grey levels, at a quarter of the working size.
 using OrientedEnergy = std::array<cv::Mat1f, kOrientations>;
@@ -16,7 +16,7 @@ using OrientedEnergy = std::array<cv::Mat1f, kOrientations>;
 [[nodiscard]] cv::Size quarter_of(cv::Size working);
 
 /// The V1 channels of salience. Ours: the paper names texture and shape as future work. Keeps its
-/// buffers. All lengths are in px of the quarter-size planes; beyond the picture they are mirrored,
+/// buffers. All lengths are in px of the quarter-size planes; beyond the image they are mirrored,
 /// so that no place is preferred (see README). The energies are sums of integers and so the same
 /// bits on every instruction set.
 class V1Channels {
@@ -43,4 +43,4 @@ class V1Channels {
   cv::Mat all_, narrow_, wide_;  ///< CV_32FC(8): one pixel, its orientations
 };
 
-}  // namespace striate
+}  // namespace striate::perception

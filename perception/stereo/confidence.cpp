@@ -2,9 +2,9 @@
 #include <array>
 #include <cmath>
 
-#include "perception/stereo/decision.hpp"
+#include "striate/perception/stereo/decision.hpp"
 
-namespace striate {
+namespace striate::perception {
 namespace {
 
 /// The logistic function in steps of 1/1000, over scores in 1/64: rounded, so that it does not
@@ -31,7 +31,7 @@ const ScoreTable kLogistic = make_logistic();  // of scores from -8 to 8
 /// Sums of 8 paths, one bit each: a winner hardly better than another disparity says nothing
 constexpr int kLeastMargin = 8;
 /// Responses of the strongest cell below 2^4 (its energy below 2^8), about a quarter of a grey
-/// level, are no texture but the rounding of the picture.
+/// level, are no texture but the rounding of the image.
 constexpr int kLeastTexture = 8 * 2048;
 /// Where a good match is as good elsewhere, the pixel itself does not tell the two apart: stripes,
 /// a wall's even shading. What its neighbours say of it is not certain, however smooth. (Bad
@@ -58,7 +58,7 @@ const float kMostPromiseIfAmbiguous = promise_of(kMostIfAmbiguous);
 }  // namespace
 
 /// Logistic regression on 13 public pairs (those of stereo_table) in six states of light and
-/// noise, from a clean picture to a tenth of the light, and on blank noisy walls, where every
+/// noise, from a clean image to a tenth of the light, and on blank noisy walls, where every
 /// disparity counts as wrong; default penalties, "right within 1.25 px" of the whole disparity,
 /// after the left-right check. The margin of the sums adds nothing to these; what matters is the
 /// smoothed sum beyond 8 times the raw cost, which smoothness paid because neighbours disagree.
@@ -83,4 +83,4 @@ float promise_of(float score) {
   return static_cast<float>(static_cast<double>(std::lround(promise * 1000.0)) / 1000.0);
 }
 
-}  // namespace striate
+}  // namespace striate::perception

@@ -1,10 +1,10 @@
-#include "perception/stereo/decision.hpp"
+#include "striate/perception/stereo/decision.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
 
-namespace striate {
+namespace striate::perception {
 namespace {
 
 /// Rows that the winner kernels write, in their order
@@ -83,4 +83,4 @@ void Decision::finish(DisparityMap& out) {
   gaps_.fill({(settings_.fill_gap_px * out.disparity_px.cols + 80) / 160, least_confidence_}, out);
 }
 
-}  // namespace striate
+}  // namespace striate::perception

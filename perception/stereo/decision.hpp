@@ -4,15 +4,15 @@
 #include <cstdint>
 #include <vector>
 
-#include "perception/percept.hpp"
-#include "perception/stereo/gap_filling.hpp"
-#include "perception/stereo/semi_global.hpp"
-#include "perception/stereo/speckles.hpp"
-#include "perception/stereo/stereo_settings.hpp"
-#include "perception/stereo/winner_kernels.hpp"
-#include "perception/v1/v1_cells.hpp"
+#include "striate/perception/percept.hpp"
+#include "striate/perception/stereo/gap_filling.hpp"
+#include "striate/perception/stereo/semi_global.hpp"
+#include "striate/perception/stereo/speckles.hpp"
+#include "striate/perception/stereo/stereo_settings.hpp"
+#include "striate/perception/stereo/winner_kernels.hpp"
+#include "striate/perception/v1/v1_cells.hpp"
 
-namespace striate {
+namespace striate::perception {
 
 /// What a pixel's disparity rests on; integers, so that every machine decides alike.
 struct StereoEvidence {
@@ -60,4 +60,4 @@ class Decision {
 /// 1 px, as both eyes see them.
 [[nodiscard]] float promise_of(float score);
 
-}  // namespace striate
+}  // namespace striate::perception

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "perception/percept.hpp"
-#include "platform/interface/senses.hpp"
+#include "striate/perception/percept.hpp"
+#include "striate/platform/interface/senses.hpp"
 
-namespace striate {
+namespace striate::perception {
 
 /// Disparities from elsewhere than Striate's own stereo: what perception, memory and behaviours
 /// make of them can be compared. Perception knows none; a trial brings it.
@@ -16,4 +16,4 @@ class DisparitySource {
   virtual void measure(const StereoFrame& frame, DisparityMap& map) = 0;
 };
 
-}  // namespace striate
+}  // namespace striate::perception

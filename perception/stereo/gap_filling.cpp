@@ -1,10 +1,10 @@
-#include "perception/stereo/gap_filling.hpp"
+#include "striate/perception/stereo/gap_filling.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
 
-namespace striate {
+namespace striate::perception {
 namespace {
 
 /// Ends that differ by more are not of one surface.
@@ -12,7 +12,7 @@ namespace {
 constexpr float kSameSurface_px = 2.0F;
 
 struct End {
-  int away_px = 0;  ///< from the pixel to be filled; 0: there is none, the picture ends
+  int away_px = 0;  ///< from the pixel to be filled; 0: there is none, the image ends
   float disparity = 0.0F;
   float confidence = 0.0F;
 };
@@ -116,4 +116,4 @@ void GapFilling::fill(const GapSettings& settings, DisparityMap& map) {
   }
 }
 
-}  // namespace striate
+}  // namespace striate::perception

@@ -5,15 +5,15 @@
 #include <opencv2/core/mat.hpp>
 #include <vector>
 
-#include "perception/percept.hpp"
+#include "striate/perception/percept.hpp"
 
-namespace striate {
+namespace striate::perception {
 
 /// What a pixel in a small gap is filled from.
 enum class GapKind {
   surface,  ///< both ends belong to one surface: a straight line between them
   step,     ///< they do not: the farther one goes on behind the nearer one
-  border,   ///< the gap ends at the picture's border: its one end goes on
+  border,   ///< the gap ends at the image's border: its one end goes on
 };
 
 /// How often what is filled in is right: by GapKind, and by the gap's length, at most a third, two
@@ -56,4 +56,4 @@ class GapFilling {
   std::vector<int> left_, right_;
 };
 
-}  // namespace striate
+}  // namespace striate::perception

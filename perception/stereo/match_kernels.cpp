@@ -1,19 +1,19 @@
 #define HWY_WANT_AVX3_DL 1
 
-#include "perception/stereo/match_kernels.hpp"
+#include "striate/perception/stereo/match_kernels.hpp"
 
 #include <algorithm>
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "perception/stereo/match_kernels.cpp"
+#define HWY_TARGET_INCLUDE "striate/perception/stereo/match_kernels.cpp"
 #include <hwy/foreach_target.h>
 // After foreach_target.h, which defines the target.
 #include <hwy/highway.h>
 
-#include "perception/stereo/match_tables-inl.hpp"
+#include "striate/perception/stereo/match_tables-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
-namespace striate::stereo_kernels::HWY_NAMESPACE {
+namespace striate::perception::stereo_kernels::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 // What is summed up at a time, blocks x disparities, fits into the registers: 32 or 16 of them.
@@ -67,7 +67,7 @@ HWY_INLINE void MatchTile(D d8, const MatchRow& row, int x, int u) {
     for (int j = 0; j < kDepth; ++j) {
       const int disparity = at - u + j;
       if (disparity >= row.candidates) break;
-      // A cost of 255 beside the picture never wins: smallest begins with 255.
+      // A cost of 255 beside the image never wins: smallest begins with 255.
       const auto cost = hn::Or(sums[b][j], hn::LoadU(d8, row.outside + u - j));
       // cost >= smallest: no unsigned comparison needed.
       const auto not_smaller = hn::Eq(hn::Max(cost, smallest), cost);
@@ -128,11 +128,11 @@ void BestMatches(const MatchRow& row) {
 #endif
 }
 
-}  // namespace striate::stereo_kernels::HWY_NAMESPACE
+}  // namespace striate::perception::stereo_kernels::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-namespace striate::stereo_kernels {
+namespace striate::perception::stereo_kernels {
 
 HWY_EXPORT(BestMatches);
 
@@ -140,5 +140,5 @@ void best_matches(const MatchRow& row) {
   HWY_DYNAMIC_DISPATCH(BestMatches)(row);
 }
 
-}  // namespace striate::stereo_kernels
+}  // namespace striate::perception::stereo_kernels
 #endif

@@ -2,10 +2,10 @@
 
 #include <cstdint>
 
-#include "perception/descriptor/dense_descriptor.hpp"
+#include "striate/perception/descriptor/dense_descriptor.hpp"
 
-/// The paper's matching of one picture row; vector code, dispatched at run time, integer.
-namespace striate::stereo_kernels {
+/// The paper's matching of one image row; vector code, dispatched at run time, integer.
+namespace striate::perception::stereo_kernels {
 
 inline constexpr int kReachBack = 72;  ///< bytes before column 0 that are read (and not used)
 
@@ -28,4 +28,4 @@ struct MatchRow {
 /// smallest[x] = that number of bits.
 void best_matches(const MatchRow& row);
 
-}  // namespace striate::stereo_kernels
+}  // namespace striate::perception::stereo_kernels

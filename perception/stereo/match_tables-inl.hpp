@@ -11,8 +11,8 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "perception/stereo/match_kernels.hpp"
-#include "perception/stereo/match_tables.hpp"
+#include "striate/perception/stereo/match_kernels.hpp"
+#include "striate/perception/stereo/match_tables.hpp"
 
 #undef STRIATE_MATCH_BY_TABLES
 #if HWY_TARGET == HWY_AVX2 || HWY_TARGET == HWY_SSE4 || HWY_TARGET == HWY_SSSE3
@@ -27,7 +27,7 @@
 /// one shuffle looks a vector of right pixels up in it. So 4 bits of all lanes take a shuffle and
 /// an addition, and no XOR. Lanes are disparities, not left pixels.
 HWY_BEFORE_NAMESPACE();
-namespace striate::stereo_kernels::HWY_NAMESPACE {
+namespace striate::perception::stereo_kernels::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 constexpr int kNibbles = 2 * kDescriptorPoints;  ///< half bytes a descriptor of 32 bytes
@@ -175,7 +175,7 @@ void BestMatchesByTables(const MatchRow& row) {
   }
 }
 
-}  // namespace striate::stereo_kernels::HWY_NAMESPACE
+}  // namespace striate::perception::stereo_kernels::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 #endif  // STRIATE_MATCH_BY_TABLES
 #endif  // once for every instruction set

@@ -6,7 +6,7 @@
 #include <cstdint>
 
 /// Tables of matching by nibbles; see match_tables-inl.hpp.
-namespace striate::stereo_kernels {
+namespace striate::perception::stereo_kernels {
 
 /// At 16 a + b: the bits in which nibbles a and b differ.
 alignas(64) inline constexpr auto kDifferingBits = [] {
@@ -39,4 +39,4 @@ alignas(64) inline constexpr auto kDisparities = [] {
   return result;
 }();
 
-}  // namespace striate::stereo_kernels
+}  // namespace striate::perception::stereo_kernels

@@ -1,17 +1,17 @@
 #define HWY_WANT_AVX3_DL 1
 
-#include "perception/stereo/median_kernel.hpp"
+#include "striate/perception/stereo/median_kernel.hpp"
 
 #include <cstdint>
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "perception/stereo/median_kernel.cpp"
+#define HWY_TARGET_INCLUDE "striate/perception/stereo/median_kernel.cpp"
 #include <hwy/foreach_target.h>
 // After foreach_target.h, which defines the target.
 #include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
-namespace striate::stereo_kernels::HWY_NAMESPACE {
+namespace striate::perception::stereo_kernels::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 using D8 = hn::ScalableTag<std::uint8_t>;
@@ -86,13 +86,13 @@ void MedianRow(const std::uint8_t* const* rows, int width, std::uint8_t* HWY_RES
   }
 }
 
-}  // namespace striate::stereo_kernels::HWY_NAMESPACE
+}  // namespace striate::perception::stereo_kernels::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 #include <algorithm>
 
-namespace striate::stereo_kernels {
+namespace striate::perception::stereo_kernels {
 
 HWY_EXPORT(MedianRow);
 
@@ -111,5 +111,5 @@ void median_5x5(Plane<std::uint8_t>& values, Plane<std::uint8_t>& out) {
   }
 }
 
-}  // namespace striate::stereo_kernels
+}  // namespace striate::perception::stereo_kernels
 #endif

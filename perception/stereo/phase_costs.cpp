@@ -1,17 +1,17 @@
 #define HWY_WANT_AVX3_DL 1
 
-#include "perception/stereo/phase_costs.hpp"
+#include "striate/perception/stereo/phase_costs.hpp"
 
 #include <array>
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "perception/stereo/phase_costs.cpp"
+#define HWY_TARGET_INCLUDE "striate/perception/stereo/phase_costs.cpp"
 #include <hwy/foreach_target.h>
 // After foreach_target.h, which defines the target.
 #include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
-namespace striate::HWY_NAMESPACE {
+namespace striate::perception::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 /// distances[d * stride + x] for x from -kPhaseReach to width + kPhaseReach.
@@ -53,11 +53,11 @@ void SumOverPoints(const std::array<const std::uint8_t*, 2 * kPhaseReach + 1>& l
   }
 }
 
-}  // namespace striate::HWY_NAMESPACE
+}  // namespace striate::perception::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-namespace striate {
+namespace striate::perception {
 
 HWY_EXPORT(CodeDistances);
 HWY_EXPORT(SumOverPoints);
@@ -96,5 +96,5 @@ void PhaseCosts::compute_row(const Job& job, int y) {
   (lines, job.outside.row(0), job.left.width, disparities, job.costs.line(y), job.costs.stride());
 }
 
-}  // namespace striate
+}  // namespace striate::perception
 #endif

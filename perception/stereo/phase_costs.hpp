@@ -2,10 +2,10 @@
 
 #include <cstdint>
 
-#include "perception/descriptor/phase_code.hpp"
-#include "perception/stereo/volume.hpp"
+#include "striate/perception/descriptor/phase_code.hpp"
+#include "striate/perception/stereo/volume.hpp"
 
-namespace striate {
+namespace striate::perception {
 
 /// Hamming distances of the 256-bit phase descriptors of all pixels at all disparities.
 ///
@@ -19,8 +19,8 @@ class PhaseCosts {
     const PhaseCodes& right;  ///< with a margin of at least the disparities, in columns
     /// Row 0 is 255 left of column 0 and 0 from there on, for the same margin.
     const Plane<std::uint8_t>& outside;
-    /// [row][disparity][column]; of the size of the pictures and a multiple of 4 disparities. Gets
-    /// the bits that differ, at most 255; 255 where the right pixel lies outside the picture.
+    /// [row][disparity][column]; of the size of the images and a multiple of 4 disparities. Gets
+    /// the bits that differ, at most 255; 255 where the right pixel lies outside the image.
     Volume<std::uint8_t>& costs;
   };
   /// All rows, from the first to the last.
@@ -32,4 +32,4 @@ class PhaseCosts {
   Volume<std::uint8_t> code_distances_;  ///< a ring of as many lines as a descriptor is high
 };
 
-}  // namespace striate
+}  // namespace striate::perception

@@ -1,9 +1,9 @@
-#include "perception/stereo/semi_global.hpp"
+#include "striate/perception/stereo/semi_global.hpp"
 
 #include <algorithm>
 #include <cstring>
 
-namespace striate {
+namespace striate::perception {
 
 using stereo_kernels::kStripRows;
 using stereo_kernels::SweepStep;
@@ -117,4 +117,4 @@ SmoothedCosts SemiGlobal::finish_row(int y) {
   return {sums_.line(0), sums_.stride(), level_means_.line(in_strip), level_means_.stride()};
 }
 
-}  // namespace striate
+}  // namespace striate::perception

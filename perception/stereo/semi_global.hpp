@@ -3,10 +3,10 @@
 #include <array>
 #include <cstdint>
 
-#include "perception/stereo/sweep_kernels.hpp"
-#include "perception/stereo/volume.hpp"
+#include "striate/perception/stereo/sweep_kernels.hpp"
+#include "striate/perception/stereo/volume.hpp"
 
-namespace striate {
+namespace striate::perception {
 
 /// One row of smoothed costs, [disparity][column]; valid until the next row is finished.
 struct SmoothedCosts {
@@ -57,9 +57,9 @@ class SemiGlobal {
   Volume<std::uint16_t> from_above_;  ///< sums of the three paths from above
   Volume<std::uint16_t> sums_;        ///< of the row that was finished last
   Volume<std::uint8_t> level_means_;  ///< of a strip
-  /// A strip, one row a column of the picture: [disparity][row of the strip].
+  /// A strip, one row a column of the image: [disparity][row of the strip].
   Plane<std::uint8_t> strip_costs_, strip_means_;
   std::array<Plane<std::uint8_t>, 2> strip_paths_;  ///< row 0: paths, row 1: their smallest
 };
 
-}  // namespace striate
+}  // namespace striate::perception

@@ -1,17 +1,17 @@
-#include "perception/stereo/shrink_by_four.hpp"
+#include "striate/perception/stereo/shrink_by_four.hpp"
 
 #include <cstdint>
 #include <vector>
 
-namespace striate {
+namespace striate::perception {
 namespace {
 
 /// Adds up four rows.
-void add_rows(const cv::Mat& picture, int first, std::vector<std::uint16_t>& sums) {
-  const uchar* a = picture.ptr(first);
-  const uchar* b = picture.ptr(first + 1);
-  const uchar* c = picture.ptr(first + 2);
-  const uchar* d = picture.ptr(first + 3);
+void add_rows(const cv::Mat& image, int first, std::vector<std::uint16_t>& sums) {
+  const uchar* a = image.ptr(first);
+  const uchar* b = image.ptr(first + 1);
+  const uchar* c = image.ptr(first + 2);
+  const uchar* d = image.ptr(first + 3);
   for (std::size_t i = 0; i < sums.size(); ++i) {
     sums[i] = static_cast<std::uint16_t>(a[i] + b[i] + c[i] + d[i]);
   }
@@ -30,26 +30,26 @@ void add_columns(const std::uint16_t* columns, int width, std::uint16_t* to) {
 
 }  // namespace
 
-bool is_four_times(const cv::Mat& picture, int width) {
-  return picture.cols == 4 * width && picture.rows % 4 == 0;
+bool is_four_times(const cv::Mat& image, int width) {
+  return image.cols == 4 * width && image.rows % 4 == 0;
 }
 
-cv::Mat sums_of_fours(const cv::Mat& picture) {
-  CV_Assert(picture.depth() == CV_8U && (picture.channels() == 1 || picture.channels() == 3));
-  CV_Assert(picture.cols % 4 == 0 && picture.rows % 4 == 0);
-  cv::Mat sums(picture.rows / 4, picture.cols / 4, CV_16UC(picture.channels()));
-  std::vector<std::uint16_t> rows(static_cast<std::size_t>(picture.cols) * picture.channels());
+cv::Mat sums_of_fours(const cv::Mat& image) {
+  CV_Assert(image.depth() == CV_8U && (image.channels() == 1 || image.channels() == 3));
+  CV_Assert(image.cols % 4 == 0 && image.rows % 4 == 0);
+  cv::Mat sums(image.rows / 4, image.cols / 4, CV_16UC(image.channels()));
+  std::vector<std::uint16_t> rows(static_cast<std::size_t>(image.cols) * image.channels());
   for (int v = 0; v < sums.rows; ++v) {
-    add_rows(picture, 4 * v, rows);
-    const auto add = picture.channels() == 1 ? add_columns<1> : add_columns<3>;
+    add_rows(image, 4 * v, rows);
+    const auto add = image.channels() == 1 ? add_columns<1> : add_columns<3>;
     add(rows.data(), sums.cols, sums.ptr<std::uint16_t>(v));
   }
   return sums;
 }
 
-cv::Mat means_of_fours(const cv::Mat& picture) {
-  const cv::Mat sums = sums_of_fours(picture);
-  cv::Mat means(sums.size(), CV_8UC(picture.channels()));
+cv::Mat means_of_fours(const cv::Mat& image) {
+  const cv::Mat sums = sums_of_fours(image);
+  cv::Mat means(sums.size(), CV_8UC(image.channels()));
   const int length = means.cols * means.channels();
   for (int v = 0; v < means.rows; ++v) {
     const auto* sum = sums.ptr<std::uint16_t>(v);
@@ -62,4 +62,4 @@ cv::Mat means_of_fours(const cv::Mat& picture) {
   return means;
 }
 
-}  // namespace striate
+}  // namespace striate::perception

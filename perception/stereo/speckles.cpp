@@ -1,10 +1,10 @@
-#include "perception/stereo/speckles.hpp"
+#include "striate/perception/stereo/speckles.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 
-namespace striate {
+namespace striate::perception {
 namespace {
 
 /// px of disparity between neighbours of one surface: what P1 of the smoothing pays for.
@@ -65,7 +65,7 @@ void Speckles::join_row(const DisparityMap& map, int y) {
 void Speckles::drop(int least_px, DisparityMap& map) {
   const int width = map.disparity_px.cols, height = map.disparity_px.rows;
   run_of_.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
-  joined_.reserve(run_of_.size());  // the worst picture has a run for every pixel
+  joined_.reserve(run_of_.size());  // the worst image has a run for every pixel
   size_px_.reserve(run_of_.size());
   joined_.clear();
   size_px_.clear();
@@ -89,4 +89,4 @@ void Speckles::drop(int least_px, DisparityMap& map) {
   }
 }
 
-}  // namespace striate
+}  // namespace striate::perception

@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include "perception/percept.hpp"
+#include "striate/perception/percept.hpp"
 
-namespace striate {
+namespace striate::perception {
 
 /// Drops connected pieces that are too small to be things: neighbours along rows and columns
 /// belong together where their disparities differ by at most 1 px. Keeps its buffers.
@@ -25,4 +25,4 @@ class Speckles {
   std::vector<int> size_px_;
 };
 
-}  // namespace striate
+}  // namespace striate::perception

@@ -1,21 +1,21 @@
-#include "perception/stereo/stereo_matcher.hpp"
+#include "striate/perception/stereo/stereo_matcher.hpp"
 
 #include <array>
 #include <opencv2/imgproc.hpp>
 #include <stdexcept>
 #include <string>
 
-#include "base/user_error.hpp"
-#include "perception/descriptor/dense_descriptor.hpp"
-#include "perception/descriptor/phase_code.hpp"
-#include "perception/stereo/decision.hpp"
-#include "perception/stereo/match_kernels.hpp"
-#include "perception/stereo/median_kernel.hpp"
-#include "perception/stereo/phase_costs.hpp"
-#include "perception/stereo/semi_global.hpp"
-#include "perception/v1/v1_cells.hpp"
+#include "striate/base/user_error.hpp"
+#include "striate/perception/descriptor/dense_descriptor.hpp"
+#include "striate/perception/descriptor/phase_code.hpp"
+#include "striate/perception/stereo/decision.hpp"
+#include "striate/perception/stereo/match_kernels.hpp"
+#include "striate/perception/stereo/median_kernel.hpp"
+#include "striate/perception/stereo/phase_costs.hpp"
+#include "striate/perception/stereo/semi_global.hpp"
+#include "striate/perception/v1/v1_cells.hpp"
 
-namespace striate {
+namespace striate::perception {
 namespace {
 
 void check(const StereoSettings& s) {
@@ -38,7 +38,7 @@ class StereoMatcher::Work {
  public:
   explicit Work(const StereoSettings& settings)
       : settings_(settings),
-        robust_(settings.setting == StereoSetting::robust),
+        robust_(settings.mode == StereoMode::robust),
         points_(descriptor_points(settings.paper_v1.wavelength_px, 1.0)),
         cells_(robust_ ? settings.robust.v1 : settings.paper_v1),
         semi_global_(settings.robust.small_step_penalty, settings.robust.large_step_penalty),
@@ -69,12 +69,11 @@ class StereoMatcher::Work {
     std::fill(outside_.row(0), outside_.row(0) + width, std::uint8_t{0});
   }
 
-  void match_as_paper(const cv::Mat& left_picture, const cv::Mat& right_picture,
-                      DisparityMap& out) {
-    const cv::Size size = left_picture.size();
+  void match_as_paper(const cv::Mat& left_image, const cv::Mat& right_image, DisparityMap& out) {
+    const cv::Size size = left_image.size();
     const int reach = descriptor_reach(settings_.paper_v1.wavelength_px, 1.0);
-    cells_.respond(left_picture, reach, false, left_);
-    cells_.respond(right_picture, reach, false, right_);
+    cells_.respond(left_image, reach, false, left_);
+    cells_.respond(right_image, reach, false, right_);
     left_row_.resize(size.width, kDescriptorPoints, 0, 0);
     right_row_.resize(size.width, kDescriptorPoints, stereo_kernels::kReachBack, 0);
     smallest_.resize(size.width, 1, 0, 0);
@@ -151,9 +150,9 @@ DisparityMap StereoMatcher::match(const cv::Mat& left, const cv::Mat& right) {
 }
 
 void StereoMatcher::match(const cv::Mat& left, const cv::Mat& right, DisparityMap& out) {
-  if (left.empty()) throw std::invalid_argument("StereoMatcher: the left picture is empty");
+  if (left.empty()) throw std::invalid_argument("StereoMatcher: the left image is empty");
   if (left.size() != right.size()) {
-    throw std::invalid_argument("StereoMatcher: the pictures differ in size: left " +
+    throw std::invalid_argument("StereoMatcher: the images differ in size: left " +
                                 std::to_string(left.cols) + "x" + std::to_string(left.rows) +
                                 ", right " + std::to_string(right.cols) + "x" +
                                 std::to_string(right.rows));
@@ -161,4 +160,4 @@ void StereoMatcher::match(const cv::Mat& left, const cv::Mat& right, DisparityMa
   work_->match(left, right, out);
 }
 
-}  // namespace striate
+}  // namespace striate::perception

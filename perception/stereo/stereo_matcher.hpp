@@ -3,24 +3,24 @@
 #include <memory>
 #include <opencv2/core/mat.hpp>
 
-#include "perception/percept.hpp"
-#include "perception/stereo/stereo_settings.hpp"
+#include "striate/perception/percept.hpp"
+#include "striate/perception/stereo/stereo_settings.hpp"
 
-namespace striate {
+namespace striate::perception {
 
-/// A picture at the working size: grey, `width` wide, height in proportion, every working pixel
-/// the mean of the area that it covers. Smaller pictures are enlarged linearly.
-/// @param picture 8 bit, BGR or grey; else std::invalid_argument.
-[[nodiscard]] cv::Mat1b to_working_size(const cv::Mat& picture, int width);
+/// A image at the working size: grey, `width` wide, height in proportion, every working pixel
+/// the mean of the area that it covers. Smaller images are enlarged linearly.
+/// @param image 8 bit, BGR or grey; else std::invalid_argument.
+[[nodiscard]] cv::Mat1b to_working_size(const cv::Mat& image, int width);
 
 /// The same in sixteenths of a grey level, 0..4080: the mean of many pixels is not rounded to 8
 /// bits.
-[[nodiscard]] cv::Mat1w to_fine_working_size(const cv::Mat& picture, int width);
+[[nodiscard]] cv::Mat1w to_fine_working_size(const cv::Mat& image, int width);
 
 /// Dense disparity from V1 descriptors.
 ///
 /// paper (the paper's section on stereo): descriptors at every pixel, lambda = 4, each left pixel
-/// against K pixels of the right picture from the same column leftwards, smallest Hamming
+/// against K pixels of the right image from the same column leftwards, smallest Hamming
 /// distance wins (of equal ones the smallest disparity), 5x5 median. Every pixel has a disparity;
 /// confidence is 1 everywhere, for the paper has none.
 ///
@@ -43,7 +43,7 @@ class StereoMatcher {
 
   /// @param left, right rectified, at the working size, same size; of to_working_size or both of
   /// to_fine_working_size; else std::invalid_argument.
-  /// @return disparity in pixels of that size in the left picture's frame; the camera fields
+  /// @return disparity in pixels of that size in the left image's frame; the camera fields
   /// (focal_px ...) are left for the caller, who knows the camera.
   [[nodiscard]] DisparityMap match(const cv::Mat& left, const cv::Mat& right);
 
@@ -57,4 +57,4 @@ class StereoMatcher {
   std::unique_ptr<Work> work_;
 };
 
-}  // namespace striate
+}  // namespace striate::perception

@@ -2,13 +2,13 @@
 
 #include <algorithm>
 
-#include "config/settings.hpp"
-#include "perception/v1/v1_settings.hpp"
+#include "striate/config/settings.hpp"
+#include "striate/perception/v1/v1_settings.hpp"
 
-namespace striate {
+namespace striate::perception {
 
 /// paper: what the paper says, to the letter. robust: what works best here.
-enum class StereoSetting { paper, robust };
+enum class StereoMode { paper, robust };
 
 /// What the number that comes with a disparity means.
 enum class StereoConfidence {
@@ -19,7 +19,7 @@ enum class StereoConfidence {
 /// How the robust setting decides; the paper's setting has none of this.
 struct RobustStereoSettings {
   /// A shorter wavelength than the paper's 4 px and a narrow, round envelope: finer in the
-  /// picture, and exactly separable, so also faster.
+  /// image, and exactly separable, so also faster.
   V1Settings v1{3.0, 0.30, 1.0, EvenMean::envelope};
   /// P1, in bits: neighbours differ by one px; chosen on the stereo pairs (tests/evaluation)
   int small_step_penalty = 20;
@@ -38,23 +38,23 @@ struct RobustStereoSettings {
 
 /// Settings of StereoMatcher.
 struct StereoSettings {
-  StereoSetting setting = StereoSetting::robust;
-  int width = 160;  ///< px; pictures are brought to this width: the paper's, section on stereo
+  StereoMode mode = StereoMode::robust;
+  int width = 160;  ///< px; images are brought to this width: the paper's, section on stereo
   /// Disparities searched; 0: 150 (paper), 64 (robust, 0.38 m) at width 160, in scale
   int candidates = 0;
   V1Settings paper_v1;  ///< of the paper setting: lambda = 4 px
   RobustStereoSettings robust;
 
-  /// Working pictures in sixteenths of a grey level (to_fine_working_size): averaging many pixels
+  /// Working images in sixteenths of a grey level (to_fine_working_size): averaging many pixels
   /// leaves more than 8 bits hold, and on blank surfaces it is all there is. Always so in the
-  /// paper setting, whose pictures are numbers, not bytes.
+  /// paper setting, whose images are numbers, not bytes.
   [[nodiscard]] bool wants_fine_greys() const {
-    return setting == StereoSetting::paper || robust.fine_greys;
+    return mode == StereoMode::paper || robust.fine_greys;
   }
   /// Disparities 0 .. n - 1 are searched; at most 256.
   [[nodiscard]] int searched() const {
     if (candidates > 0) return candidates;
-    const int at_160 = setting == StereoSetting::paper ? 150 : 64;
+    const int at_160 = mode == StereoMode::paper ? 150 : 64;
     return std::clamp(at_160 * width / 160, 1, 256);
   }
 };
@@ -73,12 +73,13 @@ void visit(V& v, RobustStereoSettings& s) {
   v.integer("speckle", s.speckle_px, {0, 2000}, "smaller connected pieces are dropped, pixels");
   v.integer("fill_gap", s.fill_gap_px, {0, 100},
             "longest gap that neighbours fill, pixels at width 160; 0: none is filled");
-  v.flag("fine_greys", s.fine_greys, "keep sixteenths of a grey level of the working pictures");
+  v.flag("fine_greys", s.fine_greys, "keep sixteenths of a grey level of the working images");
 }
 
 template <class V>
 void visit(V& v, StereoSettings& s) {
-  v.choice("setting", s.setting, {"paper", "robust"}, "the paper's stereo, or the best we have");
+  v.renamed("setting", "mode");
+  v.choice("mode", s.mode, {"paper", "robust"}, "the paper's stereo, or the best we have");
   v.integer("width", s.width, {32, 640}, "working width, pixels");
   v.integer("candidates", s.candidates, {0, 256},
             "disparities searched; 0: 150 (paper) or 64 (robust) at width 160");
@@ -86,4 +87,4 @@ void visit(V& v, StereoSettings& s) {
   v.section("robust", s.robust);
 }
 
-}  // namespace striate
+}  // namespace striate::perception

@@ -1,15 +1,15 @@
 #define HWY_WANT_AVX3_DL 1
 
-#include "perception/stereo/sweep_kernels.hpp"
+#include "striate/perception/stereo/sweep_kernels.hpp"
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "perception/stereo/sweep_kernels.cpp"
+#define HWY_TARGET_INCLUDE "striate/perception/stereo/sweep_kernels.cpp"
 #include <hwy/foreach_target.h>
 // After foreach_target.h, which defines the target.
 #include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
-namespace striate::stereo_kernels::HWY_NAMESPACE {
+namespace striate::perception::stereo_kernels::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 using D8 = hn::ScalableTag<std::uint8_t>;
@@ -213,11 +213,11 @@ void Turn(const std::uint8_t* HWY_RESTRICT from, std::ptrdiff_t from_line, int f
 #endif
 }
 
-}  // namespace striate::stereo_kernels::HWY_NAMESPACE
+}  // namespace striate::perception::stereo_kernels::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-namespace striate::stereo_kernels {
+namespace striate::perception::stereo_kernels {
 
 HWY_EXPORT(SweepThree);
 HWY_EXPORT(SweepStraight);
@@ -237,5 +237,5 @@ void turn(const VolumePart<const std::uint8_t>& from, const TurnShape& shape,
   (from.first, from.line, from.stride, to.first, to.line, to.stride, shape);
 }
 
-}  // namespace striate::stereo_kernels
+}  // namespace striate::perception::stereo_kernels
 #endif

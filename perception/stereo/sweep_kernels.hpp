@@ -5,9 +5,9 @@
 #include <cstdint>
 
 /// One step of semi-global matching's dynamic programming (Hirschmueller 2008, equation 13);
-/// vector code, dispatched at run time, integer. Lanes are the positions along one picture line;
+/// vector code, dispatched at run time, integer. Lanes are the positions along one image line;
 /// paths come from the line before, straight or by one position askew.
-namespace striate::stereo_kernels {
+namespace striate::perception::stereo_kernels {
 
 /// The state of one path direction along a line: `costs[d * stride + x]` and their minimum over d.
 /// Positions -1 and `width` are zero: a path that enters there starts anew.
@@ -16,7 +16,7 @@ struct PathLine {
   std::uint8_t* smallest = nullptr;
 };
 
-/// One line of the picture. All arrays are [disparity][position].
+/// One line of the image. All arrays are [disparity][position].
 struct SweepStep {
   const std::uint8_t* costs = nullptr;  ///< matching costs of this line
   int stride = 0;                       ///< between disparities, in costs and paths
@@ -35,7 +35,7 @@ struct ThreePaths {
 };
 void sweep_three(const SweepStep& step, const ThreePaths& paths);
 
-/// Rows of the picture whose horizontal paths are followed together, in the lanes of a vector: few
+/// Rows of the image whose horizontal paths are followed together, in the lanes of a vector: few
 /// enough that the turned strip stays in the cache.
 inline constexpr int kStripRows = 16;
 
@@ -67,4 +67,4 @@ struct TurnShape {
 void turn(const VolumePart<const std::uint8_t>& from, const TurnShape& shape,
           const VolumePart<std::uint8_t>& to);
 
-}  // namespace striate::stereo_kernels
+}  // namespace striate::perception::stereo_kernels

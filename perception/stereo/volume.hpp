@@ -1,8 +1,8 @@
 #pragma once
 
-#include "perception/v1/plane.hpp"
+#include "striate/perception/v1/plane.hpp"
 
-namespace striate {
+namespace striate::perception {
 
 /// A volume [line][disparity][position], in the rows of a plane. One row between lines is left
 /// out: lines would otherwise lie powers of two apart and fall on each other in the cache.
@@ -28,4 +28,4 @@ struct Volume {
   static constexpr int kMargin = 2;  ///< elements usable on either side of a row
 };
 
-}  // namespace striate
+}  // namespace striate::perception

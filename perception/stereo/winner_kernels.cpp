@@ -1,15 +1,15 @@
 #define HWY_WANT_AVX3_DL 1
 
-#include "perception/stereo/winner_kernels.hpp"
+#include "striate/perception/stereo/winner_kernels.hpp"
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "perception/stereo/winner_kernels.cpp"
+#define HWY_TARGET_INCLUDE "striate/perception/stereo/winner_kernels.cpp"
 #include <hwy/foreach_target.h>
 // After foreach_target.h, which defines the target.
 #include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
-namespace striate::stereo_kernels::HWY_NAMESPACE {
+namespace striate::perception::stereo_kernels::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 using D16 = hn::ScalableTag<std::uint16_t>;
@@ -26,7 +26,7 @@ HWY_INLINE void Keep(V16 value, V16 disparity, V16& smallest, V16& best) {
   smallest = hn::Min(value, smallest);
 }
 
-/// Sums of all paths, and the left picture's winners.
+/// Sums of all paths, and the left image's winners.
 void LeftWinners(const SmoothedRow& from, const WinnerRow& to) {
   const D16 d16;
   const hn::Rebind<std::uint8_t, D16> d8;
@@ -103,11 +103,11 @@ void LargestOfRows(const std::array<const std::int16_t*, 8>& rows, int width,
   }
 }
 
-}  // namespace striate::stereo_kernels::HWY_NAMESPACE
+}  // namespace striate::perception::stereo_kernels::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-namespace striate::stereo_kernels {
+namespace striate::perception::stereo_kernels {
 
 HWY_EXPORT(FindWinners);
 HWY_EXPORT(LargestOfRows);
@@ -121,5 +121,5 @@ void largest_of_rows(const std::array<const std::int16_t*, 8>& rows, int width,
   HWY_DYNAMIC_DISPATCH(LargestOfRows)(rows, width, largest);
 }
 
-}  // namespace striate::stereo_kernels
+}  // namespace striate::perception::stereo_kernels
 #endif

@@ -4,7 +4,7 @@
 #include <cstdint>
 
 /// The best disparity of every pixel of a row; vector code, dispatched at run time, integer.
-namespace striate::stereo_kernels {
+namespace striate::perception::stereo_kernels {
 
 /// What a row of smoothed costs is made of; all [disparity][column].
 struct SmoothedRow {
@@ -18,7 +18,7 @@ struct SmoothedRow {
   int disparities = 0;
 };
 
-/// Where the results go. 65535 stands for "outside the picture".
+/// Where the results go. 65535 stands for "outside the image".
 struct WinnerRow {
   std::uint16_t* sums = nullptr;      ///< [disparity][column], `stride` apart: sums of all 8 paths;
                                       ///< columns from the width to the stride must be 65535
@@ -27,7 +27,7 @@ struct WinnerRow {
   std::uint16_t* smallest = nullptr;  ///< its sum
   std::uint16_t* second = nullptr;    ///< smallest sum of disparities that differ by 2 or more
   std::uint16_t* raw_second = nullptr;  ///< smallest raw cost of those
-  std::uint16_t* right_best = nullptr;  ///< the right picture's pixels: their best disparity
+  std::uint16_t* right_best = nullptr;  ///< the right image's pixels: their best disparity
 };
 
 void find_winners(const SmoothedRow& from, const WinnerRow& to);
@@ -36,4 +36,4 @@ void find_winners(const SmoothedRow& from, const WinnerRow& to);
 void largest_of_rows(const std::array<const std::int16_t*, 8>& rows, int width,
                      std::int16_t* largest);
 
-}  // namespace striate::stereo_kernels
+}  // namespace striate::perception::stereo_kernels

@@ -3,20 +3,20 @@
 #include <opencv2/imgproc.hpp>
 #include <stdexcept>
 
-#include "perception/stereo/shrink_by_four.hpp"
-#include "perception/stereo/stereo_matcher.hpp"
+#include "striate/perception/stereo/shrink_by_four.hpp"
+#include "striate/perception/stereo/stereo_matcher.hpp"
 
-namespace striate {
+namespace striate::perception {
 namespace {
 
-cv::Mat1b grey_of(const cv::Mat& picture, int width) {
-  if (picture.empty() || (picture.type() != CV_8UC3 && picture.type() != CV_8UC1)) {
-    throw std::invalid_argument("to_working_size: wants an 8-bit BGR or grey picture");
+cv::Mat1b grey_of(const cv::Mat& image, int width) {
+  if (image.empty() || (image.type() != CV_8UC3 && image.type() != CV_8UC1)) {
+    throw std::invalid_argument("to_working_size: wants an 8-bit BGR or grey image");
   }
   if (width < 1) throw std::invalid_argument("to_working_size: the width must be at least 1");
-  if (picture.channels() == 1) return picture;
+  if (image.channels() == 1) return image;
   cv::Mat1b grey;
-  cv::cvtColor(picture, grey, cv::COLOR_BGR2GRAY);
+  cv::cvtColor(image, grey, cv::COLOR_BGR2GRAY);
   return grey;
 }
 
@@ -28,8 +28,8 @@ void resize_to(const cv::Mat& from, int width, cv::Mat& to) {
 
 }  // namespace
 
-cv::Mat1b to_working_size(const cv::Mat& picture, int width) {
-  const cv::Mat1b grey = grey_of(picture, width);
+cv::Mat1b to_working_size(const cv::Mat& image, int width) {
+  const cv::Mat1b grey = grey_of(image, width);
   if (grey.cols == width) return grey.clone();
   if (is_four_times(grey, width)) return means_of_fours(grey);
   cv::Mat1b result;
@@ -37,8 +37,8 @@ cv::Mat1b to_working_size(const cv::Mat& picture, int width) {
   return result;
 }
 
-cv::Mat1w to_fine_working_size(const cv::Mat& picture, int width) {
-  const cv::Mat1b grey = grey_of(picture, width);
+cv::Mat1w to_fine_working_size(const cv::Mat& image, int width) {
+  const cv::Mat1b grey = grey_of(image, width);
   if (is_four_times(grey, width)) return sums_of_fours(grey);
   cv::Mat1w fine;
   grey.convertTo(fine, CV_16U, 16.0);
@@ -48,4 +48,4 @@ cv::Mat1w to_fine_working_size(const cv::Mat& picture, int width) {
   return result;
 }
 
-}  // namespace striate
+}  // namespace striate::perception

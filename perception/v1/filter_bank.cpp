@@ -1,11 +1,11 @@
-#include "perception/v1/filter_bank.hpp"
+#include "striate/perception/v1/filter_bank.hpp"
 
 #include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-namespace striate {
+namespace striate::perception {
 namespace {
 
 /// One product of the decomposition in real numbers; see FilterBank::Product.
@@ -229,4 +229,4 @@ FilterBank make_filter_bank(const V1Settings& settings) {
   return bank;
 }
 
-}  // namespace striate
+}  // namespace striate::perception

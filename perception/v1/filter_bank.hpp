@@ -3,9 +3,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "perception/v1/v1_settings.hpp"
+#include "striate/perception/v1/v1_settings.hpp"
 
-namespace striate {
+namespace striate::perception {
 
 /// The Gabor kernels as short integer filters along rows and columns.
 ///
@@ -54,4 +54,4 @@ struct FilterBank {
 
 [[nodiscard]] FilterBank make_filter_bank(const V1Settings& settings);
 
-}  // namespace striate
+}  // namespace striate::perception

@@ -7,7 +7,7 @@
 #include <memory>
 #include <new>
 
-namespace striate {
+namespace striate::perception {
 
 /// A 2-D array for SIMD: rows start on 64-byte boundaries and may be read and written from
 /// `margin` elements before column 0 to at least `margin` elements behind the last column, and on
@@ -66,4 +66,4 @@ class Plane {
   int stride_ = 0;
 };
 
-}  // namespace striate
+}  // namespace striate::perception

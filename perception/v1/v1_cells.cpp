@@ -1,4 +1,4 @@
-#include "perception/v1/v1_cells.hpp"
+#include "striate/perception/v1/v1_cells.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -6,7 +6,7 @@
 #include <opencv2/core.hpp>
 #include <stdexcept>
 
-namespace striate {
+namespace striate::perception {
 namespace {
 
 /// Taps as pairs for the multiply-add: (t0, t1), (t2, t3), ...; `late` starts with a zero.
@@ -91,9 +91,9 @@ V1Cells::V1Cells(const V1Settings& settings)
   job_.offsets.resize(static_cast<std::size_t>(bank_.radius) + 1);
 }
 
-void V1Cells::take_picture(const cv::Mat& grey) {
+void V1Cells::take_image(const cv::Mat& grey) {
   const int beyond = std::max(bank_.radius, bank_.box_radius) + 1;
-  picture_.resize(grey.cols, grey.rows, beyond, 0);
+  image_.resize(grey.cols, grey.rows, beyond, 0);
   beyond_left_.clear();
   beyond_right_.clear();
   for (int k = 1; k <= beyond; ++k) {
@@ -101,7 +101,7 @@ void V1Cells::take_picture(const cv::Mat& grey) {
     beyond_right_.push_back(mirror(grey.cols - 1 + k, grey.cols));
   }
   for (int y = 0; y < grey.rows; ++y) {
-    std::int16_t* row = picture_.row(y);
+    std::int16_t* row = image_.row(y);
     copy_row(grey, y, row);
     for (int k = 1; k <= beyond; ++k) {
       row[-k] = row[beyond_left_[static_cast<std::size_t>(k - 1)]];
@@ -112,11 +112,11 @@ void V1Cells::take_picture(const cv::Mat& grey) {
 
 /// Sums of the greys over the kernel's support, by moving windows along rows, then columns.
 void V1Cells::sum_boxes(int height) {
-  const int radius = bank_.box_radius, width = picture_.width();
+  const int radius = bank_.box_radius, width = image_.width();
   box_rows_.resize(width, height, 0, 0);
   box_.resize(width, height, 0, 0);
   for (int y = 0; y < height; ++y) {
-    const std::int16_t* row = picture_.row(y);
+    const std::int16_t* row = image_.row(y);
     std::int32_t sum = 0;
     for (int x = -radius; x <= radius; ++x) sum += row[x];
     std::int32_t* to = box_rows_.row(y);
@@ -144,14 +144,14 @@ bool V1Cells::is_needed(const PackedProduct& p) const {
 
 /// All row filters on rows 2j - radius and 2j + 1 - radius.
 void V1Cells::filter_row_pair(int j) {
-  const int radius = bank_.radius, width = picture_.width();
+  const int radius = bank_.radius, width = image_.width();
   std::array<v1_kernels::FoldedRow, 2> rows;
   for (int k = 0; k < 2; ++k) {
     Plane<std::int32_t>& plane = folded_[static_cast<std::size_t>(k)];
     rows[static_cast<std::size_t>(k)] = {plane.row(0), plane.row(v1_kernels::even_pairs(radius)),
                                          plane.stride()};
-    const int y = mirror(2 * j + k - radius, picture_.height());
-    v1_kernels::fold_row(picture_.row(y), radius, width, rows[static_cast<std::size_t>(k)]);
+    const int y = mirror(2 * j + k - radius, image_.height());
+    v1_kernels::fold_row(image_.row(y), radius, width, rows[static_cast<std::size_t>(k)]);
   }
   const int place = j % (radius + 1);
   for (const std::vector<PackedProduct>& products : packed_) {
@@ -213,9 +213,9 @@ void V1Cells::respond_simple(const cv::Mat& grey, SimpleCells which, V1Responses
   respond(grey, out);
 }
 
-/// What is wanted; the codes' planes have the picture's size.
+/// What is wanted; the codes' planes have the image's size.
 void V1Cells::respond(const cv::Mat& grey, V1Responses& out) {
-  if (grey.empty()) throw std::invalid_argument("V1Cells: the picture is empty");
+  if (grey.empty()) throw std::invalid_argument("V1Cells: the image is empty");
   if (grey.type() != CV_8UC1 && grey.type() != CV_16UC1) {
     throw std::invalid_argument("V1Cells: wants grey of 8 bits, or of 16 bits in sixteenths");
   }
@@ -227,7 +227,7 @@ void V1Cells::respond(const cv::Mat& grey, V1Responses& out) {
     if (wanted_.even) out.even[i].resize(grey.cols, grey.rows, 0, 0);
     if (wanted_.odd) out.odd[i].resize(grey.cols, grey.rows, 0, 0);
   }
-  take_picture(grey);
+  take_image(grey);
   if (settings_.even_mean != EvenMean::envelope) sum_boxes(grey.rows);
   const int radius = bank_.radius;
   row_sums_.resize(grey.cols, products_ * (radius + 1), 0, 0);
@@ -241,4 +241,4 @@ void V1Cells::respond(const cv::Mat& grey, V1Responses& out) {
   }
 }
 
-}  // namespace striate
+}  // namespace striate::perception

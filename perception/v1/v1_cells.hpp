@@ -5,14 +5,14 @@
 #include <opencv2/core/mat.hpp>
 #include <vector>
 
-#include "perception/v1/filter_bank.hpp"
-#include "perception/v1/plane.hpp"
-#include "perception/v1/v1_kernels.hpp"
-#include "perception/v1/v1_settings.hpp"
+#include "striate/perception/v1/filter_bank.hpp"
+#include "striate/perception/v1/plane.hpp"
+#include "striate/perception/v1/v1_kernels.hpp"
+#include "striate/perception/v1/v1_settings.hpp"
 
-namespace striate {
+namespace striate::perception {
 
-/// Responses of V1 at every pixel of one picture. All planes have the picture's size.
+/// Responses of V1 at every pixel of one image. All planes have the image's size.
 struct V1Responses {
   int width = 0;
   int height = 0;
@@ -20,7 +20,7 @@ struct V1Responses {
   double gain = 1.0;  ///< even and odd are `gain` times the model's response to grey 0..255
 
   /// Complex cells, C_i^2 = even_i^2 + odd_i^2, as a 16-bit code that grows with C_i: the leading
-  /// bits of the float C_i^2 + 1; see complex_response(). Beyond the picture, `margin()` pixels
+  /// bits of the float C_i^2 + 1; see complex_response(). Beyond the image, `margin()` pixels
   /// on each side, the nearest pixel's value stands.
   std::array<Plane<std::int16_t>, kOrientations> code;
 
@@ -37,8 +37,8 @@ struct V1Responses {
 enum class SimpleCells { even_and_odd, odd };
 
 /// Simple and complex cells of 8 orientations (the paper's section on V1, equation 1; the model
-/// of Rodrigues and du Buf 2006). Outside the picture it is mirrored without repeating the border
-/// pixel. Keeps its buffers: after the first picture of a size nothing is allocated.
+/// of Rodrigues and du Buf 2006). Outside the image it is mirrored without repeating the border
+/// pixel. Keeps its buffers: after the first image of a size nothing is allocated.
 class V1Cells {
  public:
   explicit V1Cells(const V1Settings& settings);
@@ -67,7 +67,7 @@ class V1Cells {
   struct Wanted {
     bool complex = true, even = true, odd = true;
   };
-  void take_picture(const cv::Mat& grey);
+  void take_image(const cv::Mat& grey);
   void respond(const cv::Mat& grey, V1Responses& out);
   [[nodiscard]] bool is_needed(const PackedProduct& p) const;
   void sum_boxes(int height);
@@ -78,7 +78,7 @@ class V1Cells {
   FilterBank bank_;
   std::vector<std::vector<PackedProduct>> packed_;  ///< one list per pair of the bank
   int products_ = 0;                                ///< in all lists
-  Plane<std::int16_t> picture_;  ///< 16 (grey - 128), mirrored beyond its left and right border
+  Plane<std::int16_t> image_;  ///< 16 (grey - 128), mirrored beyond its left and right border
   std::vector<int> beyond_left_, beyond_right_;  ///< columns that are mirrored there
   std::array<Plane<std::int32_t>, 2> folded_;    ///< two rows; see v1_kernels::FoldedRow
   /// Filtered pairs of rows: those that the current output rows need, in turn; per product.
@@ -89,4 +89,4 @@ class V1Cells {
   Wanted wanted_;
 };
 
-}  // namespace striate
+}  // namespace striate::perception

@@ -1,15 +1,15 @@
 #define HWY_WANT_AVX3_DL 1
 
-#include "perception/v1/v1_kernels.hpp"
+#include "striate/perception/v1/v1_kernels.hpp"
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "perception/v1/v1_column_kernels.cpp"
+#define HWY_TARGET_INCLUDE "striate/perception/v1/v1_column_kernels.cpp"
 #include <hwy/foreach_target.h>
 // After foreach_target.h, which defines the target.
-#include "perception/v1/v1_vectors-inl.hpp"
+#include "striate/perception/v1/v1_vectors-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
-namespace striate::v1_kernels::HWY_NAMESPACE {
+namespace striate::perception::v1_kernels::HWY_NAMESPACE {
 
 /// The complex cell's 16-bit code: the leading bits of the energy as a floating-point number,
 /// that is its logarithm in steps of 2^-11 (at most 0.05 % of the energy).
@@ -212,11 +212,11 @@ void FilterColumns(const ColumnJob& job, int width) {
   }
 }
 
-}  // namespace striate::v1_kernels::HWY_NAMESPACE
+}  // namespace striate::perception::v1_kernels::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-namespace striate::v1_kernels {
+namespace striate::perception::v1_kernels {
 
 HWY_EXPORT(FilterColumns);
 
@@ -224,5 +224,5 @@ void filter_columns(const ColumnJob& job, int width) {
   HWY_DYNAMIC_DISPATCH(FilterColumns)(job, width);
 }
 
-}  // namespace striate::v1_kernels
+}  // namespace striate::perception::v1_kernels
 #endif

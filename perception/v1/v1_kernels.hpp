@@ -5,15 +5,15 @@
 #include <cstdint>
 #include <vector>
 
-#include "perception/v1/filter_bank.hpp"
-#include "perception/v1/plane.hpp"
+#include "striate/perception/v1/filter_bank.hpp"
+#include "striate/perception/v1/plane.hpp"
 
 /// The vector code of V1Cells, dispatched at run time. Integer throughout: the same bits on every
 /// instruction set. Two neighbouring 16-bit values are kept as one 32-bit element (first one in
 /// the low half), so that one multiply-add instruction serves two taps.
-namespace striate::v1_kernels {
+namespace striate::perception::v1_kernels {
 
-/// A picture row folded about every pixel, for filters that are even or odd: row k holds pairs
+/// A image row folded about every pixel, for filters that are even or odd: row k holds pairs
 ///   even: (s_2k, s_2k+1)     s_0 = grey[x], s_k = grey[x + k] + grey[x - k]
 ///   odd:  (d_2k+1, d_2k+2)   d_k = grey[x + k] - grey[x - k]
 /// which halves the work of every row filter and is done once for all of them.
@@ -39,7 +39,7 @@ struct RowTaps {
   std::vector<std::int32_t> pairs;
 };
 
-/// Two picture rows through one row filter: out[x] = (row a, row b), 16 bits each, rounded.
+/// Two image rows through one row filter: out[x] = (row a, row b), 16 bits each, rounded.
 void filter_rows(const FoldedRow& a, const FoldedRow& b, const RowTaps& taps, int width,
                  std::int32_t* out);
 
@@ -79,4 +79,4 @@ void filter_columns(const ColumnJob& job, int width);
 /// box[x] += add[x] - subtract[x], 32 bit; the moving window of a box filter.
 void slide_box(const std::int32_t* add, const std::int32_t* subtract, int width, std::int32_t* box);
 
-}  // namespace striate::v1_kernels
+}  // namespace striate::perception::v1_kernels

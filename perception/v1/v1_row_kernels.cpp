@@ -1,15 +1,15 @@
 #define HWY_WANT_AVX3_DL 1
 
-#include "perception/v1/v1_kernels.hpp"
+#include "striate/perception/v1/v1_kernels.hpp"
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "perception/v1/v1_row_kernels.cpp"
+#define HWY_TARGET_INCLUDE "striate/perception/v1/v1_row_kernels.cpp"
 #include <hwy/foreach_target.h>
 // After foreach_target.h, which defines the target.
-#include "perception/v1/v1_vectors-inl.hpp"
+#include "striate/perception/v1/v1_vectors-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
-namespace striate::v1_kernels::HWY_NAMESPACE {
+namespace striate::perception::v1_kernels::HWY_NAMESPACE {
 
 /// grey[x + k] + grey[x - k], or the difference.
 HWY_INLINE void FoldAt(const std::int16_t* HWY_RESTRICT grey, int k, V32& sum, V32& difference) {
@@ -77,11 +77,11 @@ void SlideBox(const std::int32_t* add, const std::int32_t* subtract, int width, 
   }
 }
 
-}  // namespace striate::v1_kernels::HWY_NAMESPACE
+}  // namespace striate::perception::v1_kernels::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-namespace striate::v1_kernels {
+namespace striate::perception::v1_kernels {
 
 HWY_EXPORT(FoldRow);
 HWY_EXPORT(FilterRows);
@@ -101,5 +101,5 @@ void slide_box(const std::int32_t* add, const std::int32_t* subtract, int width,
   HWY_DYNAMIC_DISPATCH(SlideBox)(add, subtract, width, box);
 }
 
-}  // namespace striate::v1_kernels
+}  // namespace striate::perception::v1_kernels
 #endif

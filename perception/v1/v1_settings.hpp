@@ -2,9 +2,9 @@
 
 #include <cmath>
 
-#include "config/settings.hpp"
+#include "striate/config/settings.hpp"
 
-namespace striate {
+namespace striate::perception {
 
 inline constexpr int kOrientations = 8;  ///< theta_i = i * pi / 8
 
@@ -45,4 +45,4 @@ void visit(V& v, V1Settings& s) {
   return side % 2 == 1 ? side : side + 1;
 }
 
-}  // namespace striate
+}  // namespace striate::perception

@@ -11,7 +11,7 @@
 #include <cstdint>
 
 HWY_BEFORE_NAMESPACE();
-namespace striate::v1_kernels::HWY_NAMESPACE {
+namespace striate::perception::v1_kernels::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 using D32 = hn::ScalableTag<std::int32_t>;
@@ -49,6 +49,6 @@ HWY_INLINE V32 JoinHalves(V32 low, V32 high) {
   return hn::Or(hn::ShiftLeft<16>(high), hn::And(low, hn::Set(D32(), 0xFFFF)));
 }
 
-}  // namespace striate::v1_kernels::HWY_NAMESPACE
+}  // namespace striate::perception::v1_kernels::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 #endif

@@ -2,16 +2,16 @@
 
 #include <vector>
 
-#include "platform/interface/motor_command.hpp"
-#include "platform/interface/senses.hpp"
+#include "striate/platform/interface/motor_command.hpp"
+#include "striate/platform/interface/senses.hpp"
 
 namespace striate {
 
 /// What is fixed about a body: its shape, its limits, where the camera sits.
 /// Defaults: Pioneer 3-DX with the paper's mast and turret.
 struct RobotDescription {
-  double front_m = 0.21;  ///< from the axle to the front end
-  double rear_m = 0.30;  ///< from the axle to the rear end
+  double front_m = 0.21;         ///< from the axle to the front end
+  double rear_m = 0.30;          ///< from the axle to the rear end
   double half_width_m = 0.2125;  ///< half of 425 mm; P3-DX (ARIA's p3dx.p)
   double corner_m = 0.12;  ///< length of the slanted sides that cut the outline's four corners
   double max_forward_m_s = 0.75;
@@ -20,7 +20,7 @@ struct RobotDescription {
   double max_turn_acceleration_rad_s2 = 2.0;
   double camera_height_m = 1.20;    ///< above the floor
   double camera_forward_m = 0.0;    ///< of the pan axis, from the axle
-  double view_rad = radians(43.0);  ///< the camera's horizontal angle; its picture is 4:3
+  double view_rad = radians(43.0);  ///< the camera's horizontal angle; its image is 4:3
   /// Of the head while nothing else is wanted, up positive. Level, the default camera sees the
   /// floor only from 4.1 m on; so tilted, from 2.1 m.
   double resting_tilt_rad = -0.227;

@@ -3,8 +3,8 @@
 #include <opencv2/core/mat.hpp>
 #include <vector>
 
-#include "base/geometry.hpp"
-#include "base/time.hpp"
+#include "striate/base/geometry.hpp"
+#include "striate/base/time.hpp"
 
 namespace striate {
 
@@ -14,10 +14,10 @@ struct HeadPose {
   double tilt_rad = 0.0;
 };
 
-/// One rectified picture pair. Pixel centres at integers, u right, v down.
+/// One rectified image pair. Pixel centres at integers, u right, v down.
 struct StereoFrame {
   TimePoint stamp;        ///< middle of the exposure
-  cv::Mat3b left;         ///< BGR; empty until the first picture has come
+  cv::Mat3b left;         ///< BGR; empty until the first image has come
   cv::Mat3b right;        ///< same size as `left`; empty for one-eyed bodies
   double focal_px = 0.0;  ///< > 0
   double centre_u_px = 0.0;
@@ -48,7 +48,7 @@ struct RangeScan {
 /// All that the body feels in one cycle. Each part has its own stamp: nothing stale drives.
 struct Senses {
   TimePoint now;       ///< when this was handed out
-  StereoFrame stereo;  ///< newest picture pair that has arrived
+  StereoFrame stereo;  ///< newest image pair that has arrived
   Odometry odometry;
   RangeScan sonar;  ///< for the safety limiter alone
   RangeScan laser;  ///< for the safety limiter alone

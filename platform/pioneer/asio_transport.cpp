@@ -7,8 +7,8 @@
 #include <boost/asio/write.hpp>
 #include <thread>
 
-#include "platform/pioneer/transport.hpp"
-#include "platform/pioneer/transport_url.hpp"
+#include "striate/platform/pioneer/transport.hpp"
+#include "striate/platform/pioneer/transport_url.hpp"
 
 namespace striate::pioneer {
 namespace {

@@ -1,4 +1,4 @@
-#include "platform/pioneer/base_driver.hpp"
+#include "striate/platform/pioneer/base_driver.hpp"
 
 namespace striate::pioneer {
 

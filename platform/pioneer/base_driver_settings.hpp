@@ -1,7 +1,7 @@
 #pragma once
 
-#include "platform/pioneer/safety_gate_settings.hpp"
-#include "platform/pioneer/session_settings.hpp"
+#include "striate/platform/pioneer/safety_gate_settings.hpp"
+#include "striate/platform/pioneer/session_settings.hpp"
 
 namespace striate::pioneer {
 

@@ -1,10 +1,10 @@
-#include "platform/pioneer/base_state.hpp"
+#include "striate/platform/pioneer/base_state.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "platform/interface/seen_from_axle.hpp"
+#include "striate/platform/interface/seen_from_axle.hpp"
 
 namespace striate::pioneer {
 namespace {
@@ -32,14 +32,14 @@ void BaseTracker::move_on(const arcos::Sip& sip) {
   Pose2& pose = state_.odometry.pose;
   const double heading_rad = sip.heading * model_.angle_rad;
   if (!seeded_) {
-    // Ways are told in the robot's frame, whose heading now is its own.
+    // Paths are told in the robot's frame, whose heading now is its own.
     frame_turn_rad_ = wrap_angle(pose.heading_rad - heading_rad);
     seeded_ = true;
   } else {
     const double mm = model_.distance_mm / 1000.0;
     const Point2 way =
-        to_outer({0.0, 0.0, frame_turn_rad_},
-                 Point2{wrapped_difference(sip.x, x_) * mm, wrapped_difference(sip.y, y_) * mm});
+        transform({0.0, 0.0, frame_turn_rad_},
+                  Point2{wrapped_difference(sip.x, x_) * mm, wrapped_difference(sip.y, y_) * mm});
     pose.x_m += way.x_m;
     pose.y_m += way.y_m;
     pose.heading_rad = wrap_angle(heading_rad + frame_turn_rad_);

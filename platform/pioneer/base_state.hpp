@@ -3,10 +3,10 @@
 #include <array>
 #include <optional>
 
-#include "platform/interface/senses.hpp"
-#include "platform/pioneer/arcos/config_pac.hpp"
-#include "platform/pioneer/arcos/sip.hpp"
-#include "platform/pioneer/robot_model.hpp"
+#include "striate/platform/interface/senses.hpp"
+#include "striate/platform/pioneer/arcos/config_pac.hpp"
+#include "striate/platform/pioneer/arcos/sip.hpp"
+#include "striate/platform/pioneer/robot_model.hpp"
 
 namespace striate::pioneer {
 

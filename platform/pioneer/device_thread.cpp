@@ -1,4 +1,4 @@
-#include "platform/pioneer/device_thread.hpp"
+#include "striate/platform/pioneer/device_thread.hpp"
 
 #include <algorithm>
 #include <exception>

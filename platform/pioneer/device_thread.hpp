@@ -5,8 +5,8 @@
 #include <string>
 #include <thread>
 
-#include "platform/pioneer/mailbox.hpp"
-#include "platform/pioneer/transport.hpp"
+#include "striate/platform/pioneer/mailbox.hpp"
+#include "striate/platform/pioneer/transport.hpp"
 
 namespace striate::pioneer {
 

@@ -1,4 +1,4 @@
-#include "platform/pioneer/driver_thread.hpp"
+#include "striate/platform/pioneer/driver_thread.hpp"
 
 #include <cmath>
 #include <exception>
@@ -12,7 +12,7 @@ constexpr Duration kTick = std::chrono::milliseconds(5);
 constexpr Duration kLongestBraking = std::chrono::milliseconds(2500);
 /// A SIP cycle of 100 ms and the bytes of a stop at 9600 baud
 constexpr Duration kStopHasArrived = std::chrono::milliseconds(150);
-constexpr double kStandsM_s = 0.01;  // ten times the resolution of a SIP's wheel speeds, 1 mm/s
+constexpr double kStands_m_s = 0.01;  // ten times the resolution of a SIP's wheel speeds, 1 mm/s
 /// Ten times the resolution of a SIP's turning speed, 0.1 deg/s
 constexpr double kStandsRad_s = 0.02;
 
@@ -73,11 +73,11 @@ DriverReport DriverThread::report() const {
 bool DriverThread::wait_until_it_can_drive(Duration at_most) {
   std::unique_lock lock(mutex_);
   const auto decided = [this] {
-    const bool drives = report_.state == SessionState::ready && report_.base.motors_on;
-    return drives || report_.state == SessionState::refused;
+    const bool drives = report_.state == LinkState::ready && report_.base.motors_on;
+    return drives || report_.state == LinkState::refused;
   };
   told_.wait_for(lock, at_most, decided);
-  return decided() && report_.state == SessionState::ready;
+  return decided() && report_.state == LinkState::ready;
 }
 
 void DriverThread::obey(const Slot& slot, TimePoint now) {
@@ -91,7 +91,7 @@ void DriverThread::obey(const Slot& slot, TimePoint now) {
 }
 
 void DriverThread::tell() {
-  const Session& session = driver_.session();
+  const ArcosSession& session = driver_.session();
   const std::lock_guard lock(mutex_);
   report_.state = session.state();
   report_.base = session.base();
@@ -112,13 +112,13 @@ void DriverThread::tell() {
 void DriverThread::brake_to_a_stand() {
   const TimePoint begin = clock_.now();
   for (TimePoint now = begin; now - begin < kLongestBraking; now = clock_.now()) {
-    const Session& session = driver_.session();
-    if (session.state() != SessionState::ready || !session.base().motors_on) return;
+    const ArcosSession& session = driver_.session();
+    if (session.state() != LinkState::ready || !session.base().motors_on) return;
     driver_.gate().command({}, now);
     driver_.step(now);
     // What the robot says is as old as its packet, which may be from before the stop.
     const BaseState& base = session.base();
-    const bool stands = std::abs(base.odometry.forward_m_s) < kStandsM_s &&
+    const bool stands = std::abs(base.odometry.forward_m_s) < kStands_m_s &&
                         std::abs(base.odometry.turn_rad_s) < kStandsRad_s;
     if (stands && base.stamp - begin > kStopHasArrived) return;
     line_->wait(kTick);
@@ -153,7 +153,7 @@ void DriverThread::run() {
     } catch (...) {  // a line that is gone: the robot's own watchdog stops it
     }
     const std::lock_guard lock(mutex_);
-    report_.state = SessionState::closed;
+    report_.state = LinkState::closed;
     report_.hold = HoldReason::link_lost;
     report_.trouble = error.what();
     told_.notify_all();

@@ -8,13 +8,13 @@
 #include <string>
 #include <thread>
 
-#include "platform/pioneer/base_driver.hpp"
+#include "striate/platform/pioneer/base_driver.hpp"
 
 namespace striate::pioneer {
 
 /// What is known from outside the thread.
 struct DriverReport {
-  SessionState state = SessionState::waiting;
+  LinkState state = LinkState::waiting;
   BaseState base;
   HoldReason hold = HoldReason::not_ready;
   bool latched = false;

@@ -1,4 +1,4 @@
-#include "platform/pioneer/hold_reason.hpp"
+#include "striate/platform/pioneer/hold_reason.hpp"
 
 namespace striate::pioneer {
 

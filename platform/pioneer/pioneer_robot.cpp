@@ -1,15 +1,17 @@
-#include "platform/pioneer/pioneer_robot.hpp"
+#include "striate/platform/pioneer/pioneer_robot.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <thread>
 
-#include "platform/interface/seen_from_axle.hpp"
+#include "striate/platform/interface/seen_from_axle.hpp"
+#include "striate/platform/pioneer/camera/make_stereo_camera.hpp"
 
 namespace striate::pioneer {
 namespace {
 
+/// Between looks while the base is awaited: below a fifth of a SIP cycle
 constexpr Duration kLookAgain = std::chrono::milliseconds(20);
 
 }  // namespace
@@ -100,7 +102,7 @@ std::string PioneerRobot::who_is_missing(const DevicePlaces& places) const {
     return place + ": " + (trouble.empty() ? otherwise : trouble);
   };
   const DriverReport report = driver_.report();
-  if (report.state != SessionState::ready || !report.base.motors_on) {
+  if (report.state != LinkState::ready || !report.base.motors_on) {
     return say(places.base, report.trouble, "the robot's motors do not come on");
   }
   if (turret_ && !turret_->report().known()) {
@@ -110,7 +112,7 @@ std::string PioneerRobot::who_is_missing(const DevicePlaces& places) const {
     return say(places.laser, laser_->trouble(), "the laser does not measure");
   }
   if (camera_ && camera_->newest().left.empty()) {
-    return say(places.camera, camera_->trouble(), "the camera sends no picture");
+    return say(places.camera, camera_->trouble(), "the camera sends no image");
   }
   return {};
 }
@@ -119,8 +121,7 @@ void PioneerRobot::wait_for_all(const DevicePlaces& places, Duration patience) {
   const TimePoint end = clock_.now() + patience;
   (void)driver_.wait_until_it_can_drive(patience);
   std::string missing = who_is_missing(places);
-  while (!missing.empty() && clock_.now() < end &&
-         driver_.report().state != SessionState::refused) {
+  while (!missing.empty() && clock_.now() < end && driver_.report().state != LinkState::refused) {
     std::this_thread::sleep_for(kLookAgain);
     missing = who_is_missing(places);
   }
@@ -137,10 +138,10 @@ bool PioneerRobot::sense(Senses& senses) {
   if (turret_) {
     const HeadReport head = turret_->report();
     senses.head = head.pose;
-    senses.stereo.head = head.trail.at(senses.stereo.stamp);
+    senses.stereo.head = head.trajectory.at(senses.stereo.stamp);
   }
   // Not by the reason alone: a higher one may hide that the link is gone.
-  if (report.state != SessionState::ready || report.hold == HoldReason::link_lost) {
+  if (report.state != LinkState::ready || report.hold == HoldReason::link_lost) {
     throw std::runtime_error("the robot is lost: " + report.trouble);
   }
   return true;

@@ -3,13 +3,13 @@
 #include <memory>
 #include <string>
 
-#include "platform/interface/robot.hpp"
-#include "platform/pioneer/camera/stereo_camera.hpp"
-#include "platform/pioneer/driver_thread.hpp"
-#include "platform/pioneer/laser/laser_link.hpp"
-#include "platform/pioneer/pioneer_settings.hpp"
-#include "platform/pioneer/steady_clock.hpp"
-#include "platform/pioneer/turret/turret_link.hpp"
+#include "striate/platform/interface/robot.hpp"
+#include "striate/platform/pioneer/camera/stereo_camera.hpp"
+#include "striate/platform/pioneer/driver_thread.hpp"
+#include "striate/platform/pioneer/laser/laser_link.hpp"
+#include "striate/platform/pioneer/pioneer_settings.hpp"
+#include "striate/platform/pioneer/steady_clock.hpp"
+#include "striate/platform/pioneer/turret/turret_link.hpp"
 
 namespace striate::pioneer {
 

@@ -2,10 +2,10 @@
 
 #include <string>
 
-#include "platform/pioneer/base_driver_settings.hpp"
-#include "platform/pioneer/camera/stereo_camera_settings.hpp"
-#include "platform/pioneer/laser/laser_settings.hpp"
-#include "platform/pioneer/turret/turret_driver.hpp"
+#include "striate/platform/pioneer/base_driver_settings.hpp"
+#include "striate/platform/pioneer/camera/stereo_camera_settings.hpp"
+#include "striate/platform/pioneer/laser/laser_settings.hpp"
+#include "striate/platform/pioneer/turret/turret_driver.hpp"
 
 namespace striate::pioneer {
 
@@ -23,7 +23,7 @@ void visit(V& v, DevicePlaces& s) {
   v.text("turret", s.turret, "two AX-12A on a Dynamixel bus; the same kinds of place");
   v.text("laser", s.laser, "on a line of its own; the same kinds of place");
   v.text("camera", s.camera,
-         "tcp://host:8104 (a picture stream), video:/dev/video0 (both eyes side by side), "
+         "tcp://host:8104 (an image stream), video:/dev/video0 (both eyes side by side), "
          "video:/dev/video0,/dev/video2, video:FILE or bumblebee:");
 }
 

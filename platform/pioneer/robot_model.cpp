@@ -1,4 +1,4 @@
-#include "platform/pioneer/robot_model.hpp"
+#include "striate/platform/pioneer/robot_model.hpp"
 
 #include <array>
 

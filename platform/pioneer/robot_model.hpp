@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "base/pioneer_devices.hpp"
+#include "striate/base/pioneer_devices.hpp"
 
 namespace striate::pioneer {
 

@@ -1,11 +1,11 @@
-#include "platform/pioneer/safety_gate.hpp"
+#include "striate/platform/pioneer/safety_gate.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 
-#include "base/stopping_speed.hpp"
+#include "striate/base/stopping_speed.hpp"
 
 namespace striate::pioneer {
 
@@ -54,7 +54,7 @@ void SafetyGate::latch(HoldReason why, TimePoint now) {
 void SafetyGate::emergency_stop(TimePoint now) {
   latch(HoldReason::emergency, now);
   motors_wanted_ = false;
-  if (session_.state() != SessionState::ready) return;
+  if (session_.state() != LinkState::ready) return;
   session_.send(arcos::command(Command::emergency_stop));
   send_stop(now);
 }
@@ -101,7 +101,7 @@ void SafetyGate::watch(TimePoint now) {
   const bool missed = ticked_ && now - last_tick_ > kMissedTicks;
   ticked_ = true;
   last_tick_ = now;
-  const bool ready = session_.state() == SessionState::ready;
+  const bool ready = session_.state() == LinkState::ready;
   if (was_ready_ && !ready) latch(HoldReason::link_lost, now);
   if (ready && !was_ready_) {
     // Whoever drove the robot before: it stands first.
@@ -175,7 +175,7 @@ SafetyGate::Motion SafetyGate::allowed(TimePoint now) {
   reason_ = HoldReason::none;
   if (latch_ != HoldReason::none) {
     reason_ = latch_;
-  } else if (session_.state() != SessionState::ready) {
+  } else if (session_.state() != LinkState::ready) {
     reason_ = HoldReason::not_ready;
   } else if (silent_) {
     reason_ = HoldReason::robot_silent;
@@ -222,7 +222,7 @@ void SafetyGate::send(const Motion& motion, TimePoint now) {
 void SafetyGate::tick(TimePoint now) {
   watch(now);
   const Motion motion = allowed(now);
-  if (session_.state() != SessionState::ready) return;
+  if (session_.state() != LinkState::ready) return;
   if (session_.base().joystick_pressed && !silent_ && latch_ == HoldReason::joystick) {
     // The hand drives: only a sign of life, no speeds.
     if (now - sent_at_ >= from_seconds(settings_.send_every_s)) {

@@ -2,10 +2,10 @@
 
 #include <optional>
 
-#include "platform/interface/motor_command.hpp"
-#include "platform/pioneer/hold_reason.hpp"
-#include "platform/pioneer/safety_gate_settings.hpp"
-#include "platform/pioneer/session.hpp"
+#include "striate/platform/interface/motor_command.hpp"
+#include "striate/platform/pioneer/hold_reason.hpp"
+#include "striate/platform/pioneer/safety_gate_settings.hpp"
+#include "striate/platform/pioneer/session.hpp"
 
 namespace striate::pioneer {
 
@@ -18,7 +18,7 @@ namespace striate::pioneer {
 /// joystick or motors that went off, `reset` is needed.
 class SafetyGate {
  public:
-  SafetyGate(const SafetyGateSettings& settings, Session& session)
+  SafetyGate(const SafetyGateSettings& settings, ArcosSession& session)
       : settings_(settings), session_(session) {}
 
   /// What is wanted until the lease ends. `given_at` is when it was decided.
@@ -65,7 +65,7 @@ class SafetyGate {
   void send_stop(TimePoint now);
 
   SafetyGateSettings settings_;
-  Session& session_;
+  ArcosSession& session_;
   MotorCommand command_;
   TimePoint given_at_;
   bool given_ = false;

@@ -1,20 +1,20 @@
 #pragma once
 
-#include "base/limits.hpp"
-#include "config/settings.hpp"
+#include "striate/base/limits.hpp"
+#include "striate/config/settings.hpp"
 
 namespace striate::pioneer {
 
 struct SafetyGateSettings {
   /// Five cycles at 10 Hz; at 0.75 m/s 0.4 m of driving blind. Never longer
   double command_lease_s = to_seconds(kCommandLease);
-  double silence_s = 0.3;  ///< three SIPs missed
-  double send_every_s = 0.1;  ///< one SIP cycle; twenty times within the watchdog's 2 s
+  double silence_s = 0.3;      ///< three SIPs missed
+  double send_every_s = 0.1;   ///< one SIP cycle; twenty times within the watchdog's 2 s
   double laser_stale_s = 0.5;  ///< five scans missed at 10 Hz
   /// The wheels have relaxed and a behaviour has had ten cycles to turn away (ours)
   double stall_pause_s = 1.0;
   bool sonar = true;
-  double sonar_stop_m = 0.10;  ///< the nearest that a disc hears
+  double sonar_stop_m = 0.10;          ///< the nearest that a disc hears
   double latency_s = kBrakeLatency_s;  ///< one SIP cycle and half of the next
   /// Below LowBattery, 11 V, of a P3-DX's FLASH; 12 V lead cells are empty at 1.8 V each
   double battery_stop_v = kEmptyBattery_v;

@@ -1,4 +1,4 @@
-#include "platform/pioneer/session.hpp"
+#include "striate/platform/pioneer/session.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +10,7 @@ using arcos::command;
 
 namespace {
 
+/// As ARIA asks again for a CONFIGpac
 constexpr Duration kConfigAgain = std::chrono::milliseconds(200);
 /// As ARIA waits for a CONFIGpac; then it goes on without
 constexpr Duration kConfigPatience = std::chrono::milliseconds(1000);
@@ -27,58 +28,58 @@ int rounded(double value) {
 
 }  // namespace
 
-const char* name_of(SessionState state) {
+const char* name_of(LinkState state) {
   switch (state) {
-    case SessionState::waiting:
+    case LinkState::waiting:
       return "waiting";
-    case SessionState::syncing:
+    case LinkState::syncing:
       return "syncing";
-    case SessionState::opening:
+    case LinkState::opening:
       return "opening";
-    case SessionState::configuring:
+    case LinkState::configuring:
       return "configuring";
-    case SessionState::ready:
+    case LinkState::ready:
       return "ready";
-    case SessionState::closed:
+    case LinkState::closed:
       return "closed";
-    case SessionState::refused:
+    case LinkState::refused:
       return "refused";
   }
   return "";
 }
 
-bool Session::wants_line(TimePoint now) const {
+bool ArcosSession::wants_line(TimePoint now) const {
   switch (state_) {
-    case SessionState::closed:
-    case SessionState::refused:
+    case LinkState::closed:
+    case LinkState::refused:
       return false;
-    case SessionState::waiting:
+    case LinkState::waiting:
       return now >= open_again_at_;
     default:
       return true;
   }
 }
 
-void Session::line_up(TimePoint now) {
-  if (line_is_up_ || state_ == SessionState::closed || state_ == SessionState::refused) return;
+void ArcosSession::line_up(TimePoint now) {
+  if (line_is_up_ || state_ == LinkState::closed || state_ == LinkState::refused) return;
   line_is_up_ = true;
   restarts_ = 0;
   last_packet_ = now;
   begin_sync(now);
 }
 
-void Session::line_down(TimePoint now) {
+void ArcosSession::line_down(TimePoint now) {
   line_is_up_ = false;
-  if (state_ == SessionState::closed || state_ == SessionState::refused) return;
-  if (state_ == SessionState::waiting && now < open_again_at_) return;
+  if (state_ == LinkState::closed || state_ == LinkState::refused) return;
+  if (state_ == LinkState::waiting && now < open_again_at_) return;
   lose(now, "the link is down");
 }
 
-void Session::lose(TimePoint now, const std::string& why) {
+void ArcosSession::lose(TimePoint now, const std::string& why) {
   trouble_ = why;
   output_.clear();
-  if (state_ == SessionState::ready) send(command(Command::stop));  // should it still be heard
-  state_ = SessionState::waiting;
+  if (state_ == LinkState::ready) send(command(Command::stop));  // should it still be heard
+  state_ = LinkState::waiting;
   state_since_ = now;
   stream_.clear();
   incomplete_ = false;
@@ -87,7 +88,7 @@ void Session::lose(TimePoint now, const std::string& why) {
   open_again_at_ = now + from_seconds(back_off_s_);
 }
 
-void Session::receive(ByteView bytes, TimePoint now) {
+void ArcosSession::receive(ByteView bytes, TimePoint now) {
   stream_.push(bytes);
   // A packet's time is that of its first byte, which may have come with an earlier chunk.
   TimePoint began = incomplete_ ? incomplete_since_ : now;
@@ -99,15 +100,15 @@ void Session::receive(ByteView bytes, TimePoint now) {
   incomplete_since_ = began;
 }
 
-void Session::handle(const arcos::Packet& packet, TimePoint now) {
+void ArcosSession::handle(const arcos::Packet& packet, TimePoint now) {
   last_packet_ = std::max(last_packet_, now);
   switch (state_) {
-    case SessionState::syncing:
+    case LinkState::syncing:
       handle_syncing(packet, now);
       return;
-    case SessionState::opening:
-    case SessionState::configuring:
-    case SessionState::ready:
+    case LinkState::opening:
+    case LinkState::configuring:
+    case LinkState::ready:
       handle_open(packet, now);
       return;
     default:
@@ -115,7 +116,7 @@ void Session::handle(const arcos::Packet& packet, TimePoint now) {
   }
 }
 
-void Session::handle_open(const arcos::Packet& packet, TimePoint now) {
+void ArcosSession::handle_open(const arcos::Packet& packet, TimePoint now) {
   if (arcos::is_sip(packet)) {
     take_sip(packet, now);
     return;
@@ -124,7 +125,7 @@ void Session::handle_open(const arcos::Packet& packet, TimePoint now) {
     config_ = arcos::read_config_pac(packet);
     if (config_) {
       tracker_.use_bumpers(config_->front_bumpers != 0, config_->rear_bumpers != 0);
-      if (state_ == SessionState::configuring) get_ready(now);
+      if (state_ == LinkState::configuring) get_ready(now);
       return;
     }
   } else if (packet.id == arcos::Joystick::kId) {
@@ -149,7 +150,7 @@ void Session::handle_open(const arcos::Packet& packet, TimePoint now) {
   counters_.last_malformed_id = packet.id;
 }
 
-void Session::take_sip(const arcos::Packet& packet, TimePoint now) {
+void ArcosSession::take_sip(const arcos::Packet& packet, TimePoint now) {
   const auto sip = arcos::read_sip(packet);
   if (!sip) {
     ++counters_.malformed;
@@ -158,14 +159,14 @@ void Session::take_sip(const arcos::Packet& packet, TimePoint now) {
   }
   ++counters_.sips;
   tracker_.take(*sip, now);
-  if (state_ != SessionState::opening) return;
-  state_ = SessionState::configuring;
+  if (state_ != LinkState::opening) return;
+  state_ = LinkState::configuring;
   state_since_ = sent_at_ = now;
   send(command(Command::config, 1));
 }
 
-void Session::get_ready(TimePoint now) {
-  state_ = SessionState::ready;
+void ArcosSession::get_ready(TimePoint now) {
+  state_ = LinkState::ready;
   state_since_ = now;
   ++counters_.connections;
   back_off_s_ = 0.0;
@@ -174,7 +175,7 @@ void Session::get_ready(TimePoint now) {
   ask_for_laser();
 }
 
-void Session::ask_for_laser() {
+void ArcosSession::ask_for_laser() {
   const bool simulated = config_ && config_->serial == "SIM";
   if (!simulated || !settings_.simulated_laser) return;
   send(command(Command::laser_start, -90));
@@ -183,26 +184,26 @@ void Session::ask_for_laser() {
   send(command(Command::laser_mode, 2));
 }
 
-double Session::most_forward_mm_s() const {
+double ArcosSession::most_forward_mm_s() const {
   const double most = std::min(1000.0 * settings_.most_forward_m_s, model_.most_forward_mm_s);
   return config_ ? least_told(most, config_->velocity_top_mm_s) : most;
 }
 
-double Session::most_turn_deg_s() const {
+double ArcosSession::most_turn_deg_s() const {
   const double most = std::min(degrees(settings_.most_turn_rad_s), model_.most_turn_deg_s);
   return config_ ? least_told(most, config_->rotation_top_deg_s) : most;
 }
 
-double Session::deceleration_mm_s2() const {
+double ArcosSession::deceleration_mm_s2() const {
   const double wanted = 1000.0 * settings_.acceleration_m_s2;
   return config_ ? least_told(wanted, config_->acceleration_top_mm_s2) : wanted;
 }
 
-TimePoint Session::last_state() const {
+TimePoint ArcosSession::last_state() const {
   return std::max(state_since_, base().stamp);
 }
 
-void Session::tell_limits() {
+void ArcosSession::tell_limits() {
   const double acceleration = deceleration_mm_s2();
   double turn = degrees(settings_.turn_acceleration_rad_s2);
   if (config_) turn = least_told(turn, config_->rotation_acceleration_top_deg_s2);
@@ -215,23 +216,23 @@ void Session::tell_limits() {
   send(command(Command::joystick_drive, settings_.joystick_may_drive ? 1 : 0));
 }
 
-void Session::tick(TimePoint now) {
+void ArcosSession::tick(TimePoint now) {
   if (incomplete_ && now - incomplete_since_ > arcos::kLongestPacket) {
     stream_.give_up_waiting();
     incomplete_ = false;
     receive({}, now);
   }
   switch (state_) {
-    case SessionState::syncing:
+    case LinkState::syncing:
       tick_syncing(now);
       return;
-    case SessionState::opening:
+    case LinkState::opening:
       if (now - sent_at_ >= kOpenAgain) {
         send(command(Command::open, 1));
         sent_at_ = now;
       }
       break;
-    case SessionState::configuring:
+    case LinkState::configuring:
       if (now - state_since_ >= kConfigPatience) {
         get_ready(now);  // older firmware has no CONFIGpac
       } else if (now - sent_at_ >= kConfigAgain) {
@@ -239,7 +240,7 @@ void Session::tick(TimePoint now) {
         sent_at_ = now;
       }
       break;
-    case SessionState::ready:
+    case LinkState::ready:
       break;
     default:
       return;
@@ -249,32 +250,32 @@ void Session::tick(TimePoint now) {
   }
 }
 
-void Session::close() {
-  if (state_ == SessionState::closed) return;
-  const bool open = state_ == SessionState::opening || state_ == SessionState::configuring ||
-                    state_ == SessionState::ready;
+void ArcosSession::close() {
+  if (state_ == LinkState::closed) return;
+  const bool open = state_ == LinkState::opening || state_ == LinkState::configuring ||
+                    state_ == LinkState::ready;
   if (open) {
     send(command(Command::stop));
     send(command(Command::enable, 0));
     send(command(Command::close, 1));
   }
-  state_ = SessionState::closed;
+  state_ = LinkState::closed;
 }
 
-Bytes Session::take_output() {
+Bytes ArcosSession::take_output() {
   Bytes bytes;
   bytes.swap(output_);
   return bytes;
 }
 
-LinkCounters Session::counters() const {
+LinkCounters ArcosSession::counters() const {
   LinkCounters counters = counters_;
   counters.stream = stream_.counters();
   return counters;
 }
 
-void Session::ask_true_pose() {
-  if (state_ == SessionState::ready) send(command(Command::sim_stat, 1));
+void ArcosSession::ask_true_pose() {
+  if (state_ == LinkState::ready) send(command(Command::sim_stat, 1));
 }
 
 }  // namespace striate::pioneer

@@ -3,15 +3,15 @@
 #include <optional>
 #include <string>
 
-#include "platform/pioneer/arcos/command.hpp"
-#include "platform/pioneer/arcos/other_packets.hpp"
-#include "platform/pioneer/arcos/packet_stream.hpp"
-#include "platform/pioneer/base_state.hpp"
-#include "platform/pioneer/session_settings.hpp"
+#include "striate/platform/pioneer/arcos/command.hpp"
+#include "striate/platform/pioneer/arcos/other_packets.hpp"
+#include "striate/platform/pioneer/arcos/packet_stream.hpp"
+#include "striate/platform/pioneer/base_state.hpp"
+#include "striate/platform/pioneer/session_settings.hpp"
 
 namespace striate::pioneer {
 
-enum class SessionState {
+enum class LinkState {
   waiting,      ///< for the line, or backing off before it is opened anew
   syncing,      ///< SYNC0, SYNC1, SYNC2
   opening,      ///< OPEN and a stop are sent, no packet yet
@@ -20,7 +20,7 @@ enum class SessionState {
   closed,   ///< by us
   refused,  ///< the robot is of an unknown kind
 };
-[[nodiscard]] const char* name_of(SessionState state);
+[[nodiscard]] const char* name_of(LinkState state);
 
 /// What the line did since the start.
 struct LinkCounters {
@@ -36,9 +36,9 @@ struct LinkCounters {
 /// The program's side of an ARCOS connection: handshake, configuration, life signs, reconnection.
 /// Pure: bytes and times go in, bytes come out; no clock, no thread, no device. Motion is sent by
 /// the SafetyGate alone.
-class Session {
+class ArcosSession {
  public:
-  explicit Session(const SessionSettings& settings) : settings_(settings) {}
+  explicit ArcosSession(const SessionSettings& settings) : settings_(settings) {}
 
   /// The transport should be open now. False: leave it closed, or close it.
   [[nodiscard]] bool wants_line(TimePoint now) const;
@@ -53,7 +53,7 @@ class Session {
   /// Bytes for the robot, in order.
   [[nodiscard]] Bytes take_output();
 
-  [[nodiscard]] SessionState state() const { return state_; }
+  [[nodiscard]] LinkState state() const { return state_; }
   [[nodiscard]] const BaseState& base() const { return tracker_.state(); }
   [[nodiscard]] const arcos::RobotNames& names() const { return names_; }
   [[nodiscard]] const std::optional<arcos::ConfigPac>& config() const { return config_; }
@@ -94,7 +94,7 @@ class Session {
   void lose(TimePoint now, const std::string& why);
 
   SessionSettings settings_;
-  SessionState state_ = SessionState::waiting;
+  LinkState state_ = LinkState::waiting;
   arcos::PacketStream stream_;
   BaseTracker tracker_;
   arcos::SimLaserSweep sweep_;

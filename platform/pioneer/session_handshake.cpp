@@ -1,6 +1,6 @@
-#include "platform/pioneer/session.hpp"
+#include "striate/platform/pioneer/session.hpp"
 
-/// The handshake of a Session: listen, SYNC0, SYNC1, SYNC2, the robot's names.
+/// The handshake of a ArcosSession: listen, SYNC0, SYNC1, SYNC2, the robot's names.
 namespace striate::pioneer {
 
 using arcos::Command;
@@ -16,8 +16,8 @@ constexpr int kMostRestarts = 10;  // as ARIA gives up after ten
 
 }  // namespace
 
-void Session::begin_sync(TimePoint now) {
-  state_ = SessionState::syncing;
+void ArcosSession::begin_sync(TimePoint now) {
+  state_ = LinkState::syncing;
   state_since_ = now;
   silent_syncs_ = 0;
   // SYNC0 is PULSE to a robot that believes in an older connection, and wakes its old motion; and
@@ -28,12 +28,12 @@ void Session::begin_sync(TimePoint now) {
   sent_at_ = now;
 }
 
-void Session::send_sync(TimePoint now) {
+void ArcosSession::send_sync(TimePoint now) {
   send(command(static_cast<Command>(sync_step_)));
   sent_at_ = now;
 }
 
-void Session::handle_syncing(const arcos::Packet& packet, TimePoint now) {
+void ArcosSession::handle_syncing(const arcos::Packet& packet, TimePoint now) {
   if (arcos::is_sip(packet)) {
     // It still believes in an older connection: end that one first, then begin again.
     if (sync_step_ >= 0 || !closing_old_ || now - sent_at_ >= kAfterClose) {
@@ -59,13 +59,13 @@ void Session::handle_syncing(const arcos::Packet& packet, TimePoint now) {
   }
 }
 
-void Session::sync_again(TimePoint now) {
+void ArcosSession::sync_again(TimePoint now) {
   sync_step_ = -1;
   sent_at_ = now;
   if (++restarts_ > kMostRestarts) lose(now, "the robot's handshake does not come to an end");
 }
 
-void Session::meet(const arcos::RobotNames& names, TimePoint now) {
+void ArcosSession::meet(const arcos::RobotNames& names, TimePoint now) {
   names_ = names;
   const RobotModel* model = find_model(names.subclass);
   if (model == nullptr && !settings_.force_unknown_model) {
@@ -73,21 +73,21 @@ void Session::meet(const arcos::RobotNames& names, TimePoint now) {
                "', of which the factors are not known (known: " + known_models() +
                "); 'force_unknown_model: yes' drives it as a p3dx-sh";
     send(command(Command::close, 1));
-    state_ = SessionState::refused;
+    state_ = LinkState::refused;
     return;
   }
   model_ = model != nullptr ? *model : *find_model("p3dx-sh");
   tracker_.use(model_);
   tracker_.seed_again();
   config_.reset();
-  state_ = SessionState::opening;
+  state_ = LinkState::opening;
   state_since_ = sent_at_ = now;
   send(command(Command::open, 1));
   // The firmware may resume what an older connection wanted: the first word is a stop.
   send(command(Command::stop));
 }
 
-void Session::tick_syncing(TimePoint now) {
+void ArcosSession::tick_syncing(TimePoint now) {
   if (sync_step_ < 0) {
     if (now - sent_at_ < (closing_old_ ? kAfterClose : kListen)) return;
   } else {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "config/settings.hpp"
-#include "platform/interface/robot.hpp"
+#include "striate/config/settings.hpp"
+#include "striate/platform/interface/robot.hpp"
 
 namespace striate::pioneer {
 
@@ -15,10 +15,17 @@ struct SessionSettings {
   double back_off_s = 0.5;    ///< five SIP cycles; doubles each time
   /// Four doublings: so soon a robot that is switched on is found
   double longest_back_off_s = 8.0;
-  double most_forward_m_s = RobotDescription{}.max_forward_m_s;  ///< TransVelMax in a P3-DX's FLASH, 750 mm/s
-  double most_turn_rad_s = RobotDescription{}.max_turn_rad_s;  ///< 69 deg/s, below RotVelMax in a P3-DX's FLASH, 100 deg/s (ours)
-  double acceleration_m_s2 = RobotDescription{}.max_acceleration_m_s2;  ///< stops from 0.75 m/s within 0.56 m; FLASH has 0.3 (ours)
-  double turn_acceleration_rad_s2 = RobotDescription{}.max_turn_acceleration_rad_s2;  ///< 115 deg/s2, about RotAcc in a P3-DX's FLASH (100)
+  double most_forward_m_s =
+      RobotDescription{}.max_forward_m_s;  ///< TransVelMax in a P3-DX's FLASH, 750 mm/s
+  double most_turn_rad_s =
+      RobotDescription{}
+          .max_turn_rad_s;  ///< 69 deg/s, below RotVelMax in a P3-DX's FLASH, 100 deg/s (ours)
+  double acceleration_m_s2 =
+      RobotDescription{}
+          .max_acceleration_m_s2;  ///< stops from 0.75 m/s within 0.56 m; FLASH has 0.3 (ours)
+  double turn_acceleration_rad_s2 =
+      RobotDescription{}
+          .max_turn_acceleration_rad_s2;  ///< 115 deg/s2, about RotAcc in a P3-DX's FLASH (100)
 };
 
 template <class V>

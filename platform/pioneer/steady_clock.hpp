@@ -1,6 +1,6 @@
 #pragma once
 
-#include "platform/interface/steady_clock.hpp"
+#include "striate/base/steady_clock.hpp"
 
 namespace striate::pioneer {
 

@@ -3,8 +3,8 @@
 #include <memory>
 #include <string>
 
-#include "base/bytes.hpp"
-#include "base/time.hpp"
+#include "striate/base/bytes.hpp"
+#include "striate/base/time.hpp"
 
 namespace striate::pioneer {
 

@@ -1,4 +1,4 @@
-#include "platform/pioneer/transport_url.hpp"
+#include "striate/platform/pioneer/transport_url.hpp"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <array>
 #include <charconv>
 
-#include "base/user_error.hpp"
+#include "striate/base/user_error.hpp"
 
 namespace striate::pioneer {
 namespace {

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "platform/interface/robot.hpp"
+#include "striate/platform/interface/robot.hpp"
 
 /// What a recording holds. See README.md for the file.
 namespace striate::replay {

@@ -1,13 +1,13 @@
-#include "platform/replay/recording_codec.hpp"
+#include "striate/platform/replay/recording_codec.hpp"
 
 #include <opencv2/imgcodecs.hpp>
 
 namespace striate::replay {
 namespace {
 
-/// Twice the widest picture of a stream: what promises more is damaged
+/// Twice the widest image of a stream: what promises more is damaged
 constexpr int kLongestSide_px = 8192;
-enum class Pictures : std::uint8_t { none, written, same };
+enum class Images : std::uint8_t { none, written, same };
 
 void put(ByteWriter& writer, const std::vector<NamedText>& list) {
   writer.put(static_cast<std::uint32_t>(list.size()));
@@ -101,11 +101,11 @@ MotorCommand take_command(ByteReader& reader) {
   return command;
 }
 
-void put(ByteWriter& writer, const cv::Mat3b& picture) {
-  writer.put(static_cast<std::int32_t>(picture.cols));
-  writer.put(static_cast<std::int32_t>(picture.rows));
+void put(ByteWriter& writer, const cv::Mat3b& image) {
+  writer.put(static_cast<std::int32_t>(image.cols));
+  writer.put(static_cast<std::int32_t>(image.rows));
   std::vector<std::uint8_t> png;
-  if (!picture.empty()) cv::imencode(".png", picture, png, {cv::IMWRITE_PNG_COMPRESSION, 1});
+  if (!image.empty()) cv::imencode(".png", image, png, {cv::IMWRITE_PNG_COMPRESSION, 1});
   writer.put_block(png);
 }
 
@@ -114,7 +114,7 @@ std::int64_t big_endian(std::span<const std::uint8_t> four) {
 }
 
 /// The size is compared with what the PNG's own head says before any memory is taken for pixels.
-cv::Mat3b take_picture(ByteReader& reader) {
+cv::Mat3b take_image(ByteReader& reader) {
   const auto width_px = reader.take<std::int32_t>();
   const auto height_px = reader.take<std::int32_t>();
   const auto png = reader.take_block();
@@ -124,34 +124,34 @@ cv::Mat3b take_picture(ByteReader& reader) {
   if (width_px < 1 || height_px < 1 || width_px > kLongestSide_px || height_px > kLongestSide_px ||
       png.size() < kSizeAt + 8 || big_endian(png.subspan(kSizeAt)) != width_px ||
       big_endian(png.subspan(kSizeAt + 4)) != height_px) {
-    throw BadBytes("a picture has not the size that was promised");
+    throw BadBytes("an image has not the size that was promised");
   }
-  cv::Mat picture;
+  cv::Mat image;
   try {
     const cv::Mat bytes(1, static_cast<int>(png.size()), CV_8U,
                         const_cast<std::uint8_t*>(png.data()));  // imdecode only reads
-    picture = cv::imdecode(bytes, cv::IMREAD_COLOR);
+    image = cv::imdecode(bytes, cv::IMREAD_COLOR);
   } catch (const cv::Exception&) {
-    picture.release();
+    image.release();
   }
-  if (picture.type() != CV_8UC3 || picture.cols != width_px || picture.rows != height_px) {
-    throw BadBytes("a picture cannot be read");
+  if (image.type() != CV_8UC3 || image.cols != width_px || image.rows != height_px) {
+    throw BadBytes("an image cannot be read");
   }
-  return picture;
+  return image;
 }
 
-void put(ByteWriter& writer, const StereoFrame& frame, bool same_pictures) {
+void put(ByteWriter& writer, const StereoFrame& frame, bool same_images) {
   put(writer, frame.stamp);
   writer.put(frame.focal_px);
   writer.put(frame.centre_u_px);
   writer.put(frame.centre_v_px);
   writer.put(frame.baseline_m);
   put(writer, frame.head);
-  const Pictures pictures = same_pictures        ? Pictures::same
-                            : frame.left.empty() ? Pictures::none
-                                                 : Pictures::written;
+  const Images pictures = same_images          ? Images::same
+                          : frame.left.empty() ? Images::none
+                                               : Images::written;
   writer.put(static_cast<std::uint8_t>(pictures));
-  if (pictures != Pictures::written) return;
+  if (pictures != Images::written) return;
   put(writer, frame.left);
   put(writer, frame.right);
 }
@@ -163,23 +163,23 @@ void take(ByteReader& reader, StereoFrame& frame) {
   frame.centre_v_px = reader.take<double>();
   frame.baseline_m = reader.take<double>();
   frame.head = take_head(reader);
-  switch (static_cast<Pictures>(reader.take<std::uint8_t>())) {
-    case Pictures::none:
+  switch (static_cast<Images>(reader.take<std::uint8_t>())) {
+    case Images::none:
       frame.left.release();
       frame.right.release();
       return;
-    case Pictures::written:
-      frame.left = take_picture(reader);
-      frame.right = take_picture(reader);
+    case Images::written:
+      frame.left = take_image(reader);
+      frame.right = take_image(reader);
       if (!frame.right.empty() && frame.right.size() != frame.left.size()) {
-        throw BadBytes("left and right picture differ in size");
+        throw BadBytes("left and right image differ in size");
       }
       return;
-    case Pictures::same:
-      if (frame.left.empty()) throw BadBytes("a picture was to be the same as before, but is none");
+    case Images::same:
+      if (frame.left.empty()) throw BadBytes("an image was to be the same as before, but is none");
       return;
   }
-  throw BadBytes("an unknown kind of picture");
+  throw BadBytes("an unknown kind of image");
 }
 
 void put(ByteWriter& writer, const Odometry& odometry) {
@@ -268,13 +268,13 @@ RecordedSetup decode_setup(std::span<const std::uint8_t> payload) {
   return setup;
 }
 
-void encode(const RecordedCycle& cycle, bool same_pictures, std::vector<std::uint8_t>& payload) {
+void encode(const RecordedCycle& cycle, bool same_images, std::vector<std::uint8_t>& payload) {
   payload.clear();
   ByteWriter writer(payload);
   const Senses& senses = cycle.senses;
   writer.put(cycle.number);
   put(writer, senses.now);
-  put(writer, senses.stereo, same_pictures);
+  put(writer, senses.stereo, same_images);
   put(writer, senses.odometry);
   put(writer, senses.sonar);
   put(writer, senses.laser);

@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
-#include "base/bytes.hpp"
-#include "base/crc32c.hpp"
+#include "striate/base/bytes.hpp"
+#include "striate/base/crc32c.hpp"
 
 /// The frame of a recording: a head of the file, then chunks, each with its checksums (CRC-32C, as
 /// in the long-term memory).
@@ -17,7 +17,7 @@ inline constexpr std::uint32_t kVersion = 1;  ///< of the layout; a reader refus
 inline constexpr std::size_t kFileHead_bytes = kMagic.size() + 4;  ///< magic and version
 /// Kind, size and two checksums of 4 bytes each
 inline constexpr std::size_t kChunkHead_bytes = 16;
-/// A cycle's two pictures of 8192 x 4096 px; more is damage, not a size to allocate
+/// A cycle's two images of 8192 x 4096 px; more is damage, not a size to allocate
 inline constexpr std::uint32_t kMostChunk_bytes = 256U << 20U;
 
 enum class Chunk : std::uint32_t { setup = 1, cycle = 2, end = 3 };

@@ -1,4 +1,4 @@
-#include "platform/replay/recording_reader.hpp"
+#include "striate/platform/replay/recording_reader.hpp"
 
 #include <fmt/format.h>
 
@@ -6,8 +6,8 @@
 #include <array>
 #include <filesystem>
 
-#include "base/user_error.hpp"
-#include "platform/replay/recording_codec.hpp"
+#include "striate/base/user_error.hpp"
+#include "striate/platform/replay/recording_codec.hpp"
 
 namespace striate::replay {
 namespace {

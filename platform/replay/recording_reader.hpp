@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "platform/replay/recording.hpp"
-#include "platform/replay/recording_format.hpp"
+#include "striate/platform/replay/recording.hpp"
+#include "striate/platform/replay/recording_format.hpp"
 
 namespace striate::replay {
 
@@ -49,7 +49,7 @@ class RecordingReader {
   std::uint64_t last_number_ = 0;
   std::vector<std::uint8_t> payload_;
   RecordedSetup setup_;
-  RecordedCycle cycle_;  ///< keeps the pictures that are not written again
+  RecordedCycle cycle_;  ///< keeps the images that are not written again
   Ending ending_ = Ending::unread;
   std::uint64_t lost_ = 0;
 };

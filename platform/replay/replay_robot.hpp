@@ -1,6 +1,6 @@
 #pragma once
 
-#include "platform/replay/recording_reader.hpp"
+#include "striate/platform/replay/recording_reader.hpp"
 
 namespace striate::replay {
 

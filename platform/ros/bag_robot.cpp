@@ -1,4 +1,4 @@
-#include "platform/ros/bag_robot.hpp"
+#include "striate/platform/ros/bag_robot.hpp"
 
 #include <rosbag/bag.h>
 #include <rosbag/view.h>
@@ -6,11 +6,11 @@
 #include <stdexcept>
 #include <utility>
 
-#include "base/user_error.hpp"
-#include "platform/ros/bag_topics.hpp"
-#include "platform/ros/inbox.hpp"
+#include "striate/base/user_error.hpp"
+#include "striate/platform/ros/bag_topics.hpp"
+#include "striate/platform/ros/inbox.hpp"
 
-namespace striate::ros1 {
+namespace striate::ros {
 namespace {
 
 class BagClock final : public Clock {
@@ -48,7 +48,7 @@ struct BagRobot::Parts {
                  const std::string& right);
   template <class Message>
   bool take_other(const rosbag::MessageInstance& message);
-  /// CameraInfo may come after the first pictures, or once only: it is read beforehand.
+  /// CameraInfo may come after the first images, or once only: it is read beforehand.
   void read_camera();
 
   std::string file;
@@ -82,7 +82,7 @@ BagRobot::Parts::Parts(const std::string& name, const RosSettings& given,
 void BagRobot::Parts::read_camera() {
   const auto is_there = [this](const std::string& topic) { return topics.count(topic) > 0; };
   if (!is_there(settings.left_image) || !is_there(settings.right_image)) {
-    throw UserError(file + ": has no stereo pictures; its topics:" + list_of(topics) +
+    throw UserError(file + ": has no stereo images; its topics:" + list_of(topics) +
                     "\n  hint: the settings ros.left_image and ros.right_image name them");
   }
   rosbag::View infos(
@@ -145,12 +145,12 @@ const Clock& BagRobot::clock() const {
 bool BagRobot::sense(Senses& senses) {
   Parts& p = *parts_;
   const TimePoint seen = p.inbox.senses().stereo.stamp;
-  const bool none_yet = !p.inbox.pictures_came();
+  const bool none_yet = !p.inbox.images_came();
   try {
     for (; p.next != p.view.end(); ++p.next) {
       p.take(*p.next);
       const bool is_new =
-          p.inbox.pictures_came() && (none_yet || p.inbox.senses().stereo.stamp != seen);
+          p.inbox.images_came() && (none_yet || p.inbox.senses().stereo.stamp != seen);
       if (!is_new) continue;
       ++p.next;
       senses = p.inbox.senses();
@@ -161,9 +161,9 @@ bool BagRobot::sense(Senses& senses) {
     throw std::runtime_error(p.file + ": the bag is damaged: " + error.what());
   }
   if (none_yet && !p.inbox.trouble().empty()) {
-    throw std::runtime_error(p.file + ": no picture pair could be used: " + p.inbox.trouble());
+    throw std::runtime_error(p.file + ": no image pair could be used: " + p.inbox.trouble());
   }
   return false;
 }
 
-}  // namespace striate::ros1
+}  // namespace striate::ros

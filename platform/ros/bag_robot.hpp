@@ -3,17 +3,17 @@
 #include <memory>
 #include <string>
 
-#include "platform/interface/robot.hpp"
-#include "platform/ros/ros_settings.hpp"
+#include "striate/platform/interface/robot.hpp"
+#include "striate/platform/ros/ros_settings.hpp"
 
-namespace striate::ros1 {
+namespace striate::ros {
 
-/// A ROS bag as a body: the recorded pictures and odometry, one picture pair a cycle, as fast as
+/// A ROS bag as a body: the recorded images and odometry, one image pair a cycle, as fast as
 /// they are asked for. Needs no master. Commands go nowhere. Topics of the settings that the bag
 /// does not have are looked for by their type and name ("left", "right").
 class BagRobot final : public Robot {
  public:
-  /// @throws UserError where the file is no bag, or has no stereo pictures of a known camera; the
+  /// @throws UserError where the file is no bag, or has no stereo images of a known camera; the
   /// message lists what topics it has.
   BagRobot(const std::string& file, const RosSettings& settings,
            const RobotDescription& description = {});
@@ -22,7 +22,7 @@ class BagRobot final : public Robot {
   [[nodiscard]] const RobotDescription& description() const override;
   /// The bag's time, from its beginning.
   [[nodiscard]] const Clock& clock() const override;
-  /// Reads on to the next picture pair; false at the end. @throws std::runtime_error where the bag
+  /// Reads on to the next image pair; false at the end. @throws std::runtime_error where the bag
   /// is damaged.
   bool sense(Senses& senses) override;
   void send(const MotorCommand&) override {}
@@ -33,4 +33,4 @@ class BagRobot final : public Robot {
   std::unique_ptr<Parts> parts_;
 };
 
-}  // namespace striate::ros1
+}  // namespace striate::ros

@@ -1,12 +1,12 @@
-#include "platform/ros/bag_topics.hpp"
+#include "striate/platform/ros/bag_topics.hpp"
 
 #include <vector>
 
-namespace striate::ros1 {
+namespace striate::ros {
 namespace {
 
-constexpr const char* kImage = "sensor_msgs/Image";  // type of a picture; ROS 1 sensor_msgs
-/// Type of a compressed picture; ROS 1 sensor_msgs
+constexpr const char* kImage = "sensor_msgs/Image";  // type of an image; ROS 1 sensor_msgs
+/// Type of a compressed image; ROS 1 sensor_msgs
 constexpr const char* kCompressed = "sensor_msgs/CompressedImage";
 /// Type of a camera's geometry; ROS 1 sensor_msgs
 constexpr const char* kInfo = "sensor_msgs/CameraInfo";
@@ -58,4 +58,4 @@ std::string list_of(const BagTopics& topics) {
   return text.empty() ? "\n  none" : text;
 }
 
-}  // namespace striate::ros1
+}  // namespace striate::ros

@@ -2,9 +2,9 @@
 
 #include <cstdint>
 
-#include "base/time.hpp"
+#include "striate/base/time.hpp"
 
-namespace striate::ros1 {
+namespace striate::ros {
 
 /// Stamps of a body as ROS time. A simulated body that cannot keep up with real time would fall
 /// behind for good; so where the two clocks are more than 50 ms apart they are put together anew.
@@ -25,4 +25,4 @@ class BodyToRosTime {
   Duration offset_{};
 };
 
-}  // namespace striate::ros1
+}  // namespace striate::ros

@@ -2,13 +2,13 @@
 
 #include <array>
 
-#include "platform/interface/senses.hpp"
+#include "striate/platform/interface/senses.hpp"
 
-namespace striate::ros1 {
+namespace striate::ros {
 
-/// What of sensor_msgs/CameraInfo a rectified picture needs.
+/// What of sensor_msgs/CameraInfo a rectified image needs.
 struct EyeInfo {
-  int width_px = 0;                     ///< of the picture that was calibrated; 0: unknown
+  int width_px = 0;                     ///< of the image that was calibrated; 0: unknown
   std::array<double, 12> projection{};  ///< P, row by row, of the rectified camera
 };
 
@@ -23,7 +23,7 @@ class CameraModel {
   [[nodiscard]] bool known() const { return focal_px() > 0.0 && baseline_m() > 0.0; }
   /// The right eye stands to the left of the left one: topics are swapped.
   [[nodiscard]] bool swapped() const { return baseline_m() < 0.0; }
-  /// Fills all of `frame` that the pictures in it do not say. They may be smaller than calibrated.
+  /// Fills all of `frame` that the images in it do not say. They may be smaller than calibrated.
   void fill(StereoFrame& frame) const;
 
  private:
@@ -38,4 +38,4 @@ class CameraModel {
   EyeInfo right_;
 };
 
-}  // namespace striate::ros1
+}  // namespace striate::ros

@@ -1,4 +1,4 @@
-#include "platform/ros/cmd_vel_pilot.hpp"
+#include "striate/platform/ros/cmd_vel_pilot.hpp"
 
 #include <ros/callback_queue.h>
 #include <ros/node_handle.h>
@@ -8,12 +8,12 @@
 #include <cmath>
 #include <mutex>
 
-#include "platform/interface/steady_clock.hpp"
-#include "platform/ros/command_lease.hpp"
-#include "platform/ros/messages.hpp"
-#include "platform/ros/node.hpp"
+#include "striate/base/steady_clock.hpp"
+#include "striate/platform/ros/command_lease.hpp"
+#include "striate/platform/ros/messages.hpp"
+#include "striate/platform/ros/node.hpp"
 
-namespace striate::ros1 {
+namespace striate::ros {
 
 struct CmdVelPilot::Parts {
   Parts(const RosSettings& settings, HeadPose rest);
@@ -71,4 +71,4 @@ std::optional<MotorCommand> CmdVelPilot::wanted() const {
   return command;
 }
 
-}  // namespace striate::ros1
+}  // namespace striate::ros

@@ -3,11 +3,11 @@
 #include <memory>
 #include <optional>
 
-#include "platform/interface/motor_command.hpp"
-#include "platform/interface/senses.hpp"
-#include "platform/ros/ros_settings.hpp"
+#include "striate/platform/interface/motor_command.hpp"
+#include "striate/platform/interface/senses.hpp"
+#include "striate/platform/ros/ros_settings.hpp"
 
-namespace striate::ros1 {
+namespace striate::ros {
 
 /// Somebody elsewhere who drives by `cmd_vel`, and turns the head by the two joint commands. What
 /// it wants still has to pass the safety limiter.
@@ -25,4 +25,4 @@ class CmdVelPilot {
   std::unique_ptr<Parts> parts_;
 };
 
-}  // namespace striate::ros1
+}  // namespace striate::ros

@@ -3,10 +3,10 @@
 #include <cmath>
 #include <optional>
 
-#include "base/time.hpp"
-#include "platform/interface/motor_command.hpp"
+#include "striate/base/time.hpp"
+#include "striate/platform/interface/motor_command.hpp"
 
-namespace striate::ros1 {
+namespace striate::ros {
 
 /// A command that came from elsewhere drives until its lease ends, counted on our steady clock from
 /// its arrival: the sender's clock may be wrong, stopped or set.
@@ -37,4 +37,4 @@ class CommandLease {
   bool given_ = false;
 };
 
-}  // namespace striate::ros1
+}  // namespace striate::ros

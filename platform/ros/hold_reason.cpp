@@ -1,8 +1,8 @@
-#include "platform/ros/hold_reason.hpp"
+#include "striate/platform/ros/hold_reason.hpp"
 
 #include <cstdio>
 
-namespace striate::ros1 {
+namespace striate::ros {
 namespace {
 
 std::string old(const char* what, Duration age) {
@@ -20,13 +20,13 @@ std::string stale_sense(const Inbox& inbox, Duration stale, TimePoint now) {
   };
   const Senses& senses = inbox.senses();
   if (silent(inbox.odometry_came())) return "no odometry";
-  if (silent(inbox.pictures_came())) return "no pictures";
+  if (silent(inbox.images_came())) return "no images";
   if (now - senses.odometry.stamp > stale) return old("odometry is", now - senses.odometry.stamp);
-  if (now - senses.stereo.stamp > stale) return old("pictures are", now - senses.stereo.stamp);
+  if (now - senses.stereo.stamp > stale) return old("images are", now - senses.stereo.stamp);
   if (!inbox.laser_came()) return {};
   if (silent(inbox.laser_came())) return "the laser is silent";
   if (now - senses.laser.stamp > stale) return old("the laser is", now - senses.laser.stamp);
   return {};
 }
 
-}  // namespace striate::ros1
+}  // namespace striate::ros

@@ -1,13 +1,13 @@
-#include "platform/ros/inbox.hpp"
+#include "striate/platform/ros/inbox.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <exception>
 
-namespace striate::ros1 {
+namespace striate::ros {
 namespace {
 
-/// Poses of the head: 0.6 s at 100 Hz, longer than a picture may be late (stale_s)
+/// Poses of the head: 0.6 s at 100 Hz, longer than an image may be late (stale_s)
 constexpr std::size_t kHeadsKept = 64;
 
 std::int64_t nanoseconds(const ::ros::Time& stamp) {
@@ -30,7 +30,7 @@ TimePoint Inbox::body_time(Stream stream, const ::ros::Time& stamp, TimePoint ar
 
 void Inbox::take(Eye eye, const sensor_msgs::Image& message, TimePoint arrived) {
   try {
-    take_eye(eye, {nanoseconds(message.header.stamp), picture_of(message)}, arrived);
+    take_eye(eye, {nanoseconds(message.header.stamp), image_of(message)}, arrived);
   } catch (const std::exception& error) {
     trouble_ = error.what();
   }
@@ -38,20 +38,20 @@ void Inbox::take(Eye eye, const sensor_msgs::Image& message, TimePoint arrived) 
 
 void Inbox::take(Eye eye, const sensor_msgs::CompressedImage& message, TimePoint arrived) {
   try {
-    take_eye(eye, {nanoseconds(message.header.stamp), picture_of(message)}, arrived);
+    take_eye(eye, {nanoseconds(message.header.stamp), image_of(message)}, arrived);
   } catch (const std::exception& error) {
     trouble_ = error.what();
   }
 }
 
-void Inbox::take_eye(Eye eye, EyePicture picture, TimePoint arrived) {
-  // Even an unpaired picture tells how the clocks lie to each other.
-  stamps_.learn(eye == Eye::left ? Stream::left : Stream::right, picture.stamp_ns, arrived);
-  const auto pair = eye == Eye::left ? pairing_.add_left(std::move(picture))
-                                     : pairing_.add_right(std::move(picture));
+void Inbox::take_eye(Eye eye, EyeImage image, TimePoint arrived) {
+  // Even an unpaired image tells how the clocks lie to each other.
+  stamps_.learn(eye == Eye::left ? Stream::left : Stream::right, image.stamp_ns, arrived);
+  const auto pair =
+      eye == Eye::left ? pairing_.add_left(std::move(image)) : pairing_.add_right(std::move(image));
   if (!pair) return;
-  if (pair->left.picture.size() != pair->right.picture.size()) {
-    trouble_ = "left and right pictures have different sizes";
+  if (pair->left.image.size() != pair->right.image.size()) {
+    trouble_ = "left and right images have different sizes";
     return;
   }
   if (!camera_.known()) {
@@ -61,11 +61,11 @@ void Inbox::take_eye(Eye eye, EyePicture picture, TimePoint arrived) {
   }
   StereoFrame& frame = senses_.stereo;
   frame.stamp = stamps_.to_body(pair->left.stamp_ns, arrived);
-  frame.left = pair->left.picture;
-  frame.right = pair->right.picture;
+  frame.left = pair->left.image;
+  frame.right = pair->right.image;
   frame.head = head_at(frame.stamp);
   camera_.fill(frame);
-  pictures_came_ = arrived;
+  images_came_ = arrived;
 }
 
 void Inbox::take(Eye eye, const sensor_msgs::CameraInfo& message) {
@@ -80,7 +80,7 @@ void Inbox::take(const nav_msgs::Odometry& message, TimePoint arrived) {
     return;
   }
   if (!first_pose_) first_pose_ = odometry.pose;
-  odometry.pose = to_inner(*first_pose_, odometry.pose);
+  odometry.pose = inverse_transform(*first_pose_, odometry.pose);
   odometry.stamp = body_time(Stream::odometry, message.header.stamp, arrived);
   senses_.odometry = odometry;
   odometry_came_ = arrived;
@@ -123,4 +123,4 @@ HeadPose Inbox::head_at(TimePoint stamp) const {
   return head;
 }
 
-}  // namespace striate::ros1
+}  // namespace striate::ros

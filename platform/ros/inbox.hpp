@@ -4,12 +4,12 @@
 #include <optional>
 #include <string>
 
-#include "platform/ros/messages.hpp"
-#include "platform/ros/ros_settings.hpp"
-#include "platform/ros/stamp_map.hpp"
-#include "platform/ros/stereo_pairing.hpp"
+#include "striate/platform/ros/messages.hpp"
+#include "striate/platform/ros/ros_settings.hpp"
+#include "striate/platform/ros/stamp_map.hpp"
+#include "striate/platform/ros/stereo_pairing.hpp"
 
-namespace striate::ros1 {
+namespace striate::ros {
 
 enum class Eye { left, right };
 
@@ -31,7 +31,7 @@ class Inbox {
   /// Everything but `now`.
   [[nodiscard]] const Senses& senses() const { return senses_; }
   /// When each came last; nothing: not yet.
-  [[nodiscard]] std::optional<TimePoint> pictures_came() const { return pictures_came_; }
+  [[nodiscard]] std::optional<TimePoint> images_came() const { return images_came_; }
   [[nodiscard]] std::optional<TimePoint> odometry_came() const { return odometry_came_; }
   [[nodiscard]] std::optional<TimePoint> laser_came() const { return laser_came_; }
   [[nodiscard]] bool camera_known() const { return camera_.known(); }
@@ -44,7 +44,7 @@ class Inbox {
     TimePoint stamp;
     HeadPose head;
   };
-  void take_eye(Eye eye, EyePicture picture, TimePoint arrived);
+  void take_eye(Eye eye, EyeImage image, TimePoint arrived);
   TimePoint body_time(Stream stream, const ::ros::Time& stamp, TimePoint arrived);
   [[nodiscard]] HeadPose head_at(TimePoint stamp) const;
 
@@ -55,10 +55,10 @@ class Inbox {
   Senses senses_;
   std::deque<HeadAt> heads_;
   std::optional<Pose2> first_pose_;
-  std::optional<TimePoint> pictures_came_;
+  std::optional<TimePoint> images_came_;
   std::optional<TimePoint> odometry_came_;
   std::optional<TimePoint> laser_came_;
   std::string trouble_;
 };
 
-}  // namespace striate::ros1
+}  // namespace striate::ros

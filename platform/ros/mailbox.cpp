@@ -1,12 +1,12 @@
-#include "platform/ros/mailbox.hpp"
+#include "striate/platform/ros/mailbox.hpp"
 
 #include <string>
 
-namespace striate::ros1 {
+namespace striate::ros {
 namespace {
 
 /// How many messages of a topic may wait; what is more is thrown away, the oldest first.
-constexpr std::uint32_t kPicturesWaiting = 2;
+constexpr std::uint32_t kImagesWaiting = 2;
 constexpr std::uint32_t kOthersWaiting = 4;  // a cycle of odometry at 40 Hz
 
 bool is_compressed(const std::string& topic) {
@@ -30,27 +30,27 @@ class Subscribing {
         node_.subscribe<Message>(topic, kOthersWaiting, take, nullptr, at_once()));
   }
   template <class Message>
-  void hear_pictures(Eye eye, const std::string& topic) {
+  void hear_images(Eye eye, const std::string& topic) {
     boost::function<void(const boost::shared_ptr<const Message>&)> take =
         [&box = mailbox_, eye](const auto& message) {
           const std::lock_guard lock(box.mutex);
           box.inbox.take(eye, *message, box.clock.now());
         };
     subscribers_.push_back(
-        node_.subscribe<Message>(topic, kPicturesWaiting, take, nullptr, at_once()));
+        node_.subscribe<Message>(topic, kImagesWaiting, take, nullptr, at_once()));
   }
   void hear_eye(Eye eye, const std::string& pictures, const std::string& info) {
     if (is_compressed(pictures)) {
-      hear_pictures<sensor_msgs::CompressedImage>(eye, pictures);
+      hear_images<sensor_msgs::CompressedImage>(eye, pictures);
     } else {
-      hear_pictures<sensor_msgs::Image>(eye, pictures);
+      hear_images<sensor_msgs::Image>(eye, pictures);
     }
     boost::function<void(const sensor_msgs::CameraInfoConstPtr&)> take =
         [&box = mailbox_, eye](const auto& message) {
           const std::lock_guard lock(box.mutex);
           box.inbox.take(eye, *message);
         };
-    subscribers_.push_back(node_.subscribe<sensor_msgs::CameraInfo>(info, kPicturesWaiting, take));
+    subscribers_.push_back(node_.subscribe<sensor_msgs::CameraInfo>(info, kImagesWaiting, take));
   }
   [[nodiscard]] std::vector<::ros::Subscriber> all() const { return subscribers_; }
 
@@ -75,4 +75,4 @@ std::vector<::ros::Subscriber> subscribe(::ros::NodeHandle& node, const RosSetti
   return to.all();
 }
 
-}  // namespace striate::ros1
+}  // namespace striate::ros

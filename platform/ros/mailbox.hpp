@@ -5,10 +5,10 @@
 #include <mutex>
 #include <vector>
 
-#include "platform/interface/steady_clock.hpp"
-#include "platform/ros/inbox.hpp"
+#include "striate/base/steady_clock.hpp"
+#include "striate/platform/ros/inbox.hpp"
 
-namespace striate::ros1 {
+namespace striate::ros {
 
 /// An inbox that ROS's threads fill.
 struct Mailbox {
@@ -24,4 +24,4 @@ struct Mailbox {
                                                        const RosSettings& settings,
                                                        Mailbox& mailbox);
 
-}  // namespace striate::ros1
+}  // namespace striate::ros

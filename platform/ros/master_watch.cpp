@@ -1,4 +1,4 @@
-#include "platform/ros/master_watch.hpp"
+#include "striate/platform/ros/master_watch.hpp"
 
 #include <netdb.h>
 #include <poll.h>
@@ -14,9 +14,9 @@
 #include <string>
 #include <thread>
 
-#include "platform/interface/steady_clock.hpp"
+#include "striate/base/steady_clock.hpp"
 
-namespace striate::ros1 {
+namespace striate::ros {
 namespace {
 
 /// A master that is gone is noticed within kMasterSilent (ros_robot.cpp)
@@ -129,4 +129,4 @@ Duration MasterWatch::silent_for() const {
   return parts_->clock.now() - parts_->heard.load();
 }
 
-}  // namespace striate::ros1
+}  // namespace striate::ros

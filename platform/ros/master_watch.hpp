@@ -2,9 +2,9 @@
 
 #include <memory>
 
-#include "base/time.hpp"
+#include "striate/base/time.hpp"
 
-namespace striate::ros1 {
+namespace striate::ros {
 
 /// Asks the ROS master four times a second whether it is there, in a thread of its own and with a
 /// deadline: roscpp's own question has none. Links between nodes outlive the master, but nobody
@@ -22,4 +22,4 @@ class MasterWatch {
   std::unique_ptr<Parts> parts_;
 };
 
-}  // namespace striate::ros1
+}  // namespace striate::ros

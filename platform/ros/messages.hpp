@@ -9,17 +9,17 @@
 #include <sensor_msgs/LaserScan.h>
 #include <sensor_msgs/PointCloud.h>
 
-#include "platform/interface/motor_command.hpp"
-#include "platform/interface/senses.hpp"
-#include "platform/ros/camera_model.hpp"
+#include "striate/platform/interface/motor_command.hpp"
+#include "striate/platform/interface/senses.hpp"
+#include "striate/platform/ros/camera_model.hpp"
 
 /// Between ROS messages and the interface, both ways. Stamps are the callers' business. ROS's
 /// generated headers are C++17: only files of this layer include this one.
-namespace striate::ros1 {
+namespace striate::ros {
 
-/// @throws std::runtime_error for a picture that cannot be used
-[[nodiscard]] cv::Mat3b picture_of(const sensor_msgs::Image& message);
-[[nodiscard]] cv::Mat3b picture_of(const sensor_msgs::CompressedImage& message);
+/// @throws std::runtime_error for an image that cannot be used
+[[nodiscard]] cv::Mat3b image_of(const sensor_msgs::Image& message);
+[[nodiscard]] cv::Mat3b image_of(const sensor_msgs::CompressedImage& message);
 [[nodiscard]] EyeInfo eye_info_of(const sensor_msgs::CameraInfo& message);
 /// Where a number is none, nothing is returned.
 [[nodiscard]] bool read(const nav_msgs::Odometry& message, Odometry& odometry);
@@ -28,7 +28,7 @@ void read(const sensor_msgs::LaserScan& message, double forward_m, RangeScan& sc
 void read(const sensor_msgs::PointCloud& message, RangeScan& scan);
 [[nodiscard]] MotorCommand command_of(const geometry_msgs::Twist& message);
 
-void write(const cv::Mat3b& picture, sensor_msgs::Image& message);
+void write(const cv::Mat3b& image, sensor_msgs::Image& message);
 /// @param right the right eye's, else the left eye's
 void write(const StereoFrame& frame, bool right, sensor_msgs::CameraInfo& message);
 void write(const Odometry& odometry, nav_msgs::Odometry& message);
@@ -37,4 +37,4 @@ void write(const RangeScan& scan, sensor_msgs::LaserScan& message);
 void write(const RangeScan& scan, sensor_msgs::PointCloud& message);
 [[nodiscard]] geometry_msgs::Twist twist_of(const MotorCommand& command);
 
-}  // namespace striate::ros1
+}  // namespace striate::ros

@@ -1,4 +1,4 @@
-#include "platform/ros/node.hpp"
+#include "striate/platform/ros/node.hpp"
 
 #include <ros/console.h>
 #include <ros/init.h>
@@ -8,9 +8,9 @@
 #include <cstdlib>
 #include <stdexcept>
 
-#include "base/user_error.hpp"
+#include "striate/base/user_error.hpp"
 
-namespace striate::ros1 {
+namespace striate::ros {
 namespace {
 
 /// Where ROS 1 looks when ROS_MASTER_URI is not set
@@ -46,4 +46,4 @@ void join_ros(const std::string& name) {
   ::ros::start();
 }
 
-}  // namespace striate::ros1
+}  // namespace striate::ros

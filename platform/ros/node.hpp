@@ -2,7 +2,7 @@
 
 #include <string>
 
-namespace striate::ros1 {
+namespace striate::ros {
 
 /// Joins this process to the ROS graph; the first call counts, a process is one node. Signals and
 /// their handling stay the program's.
@@ -10,4 +10,4 @@ namespace striate::ros1 {
 /// @throws UserError for a ROS_MASTER_URI that is none, std::runtime_error where no master answers.
 void join_ros(const std::string& name);
 
-}  // namespace striate::ros1
+}  // namespace striate::ros

@@ -1,14 +1,14 @@
 #include <cmath>
 #include <limits>
 
-#include "base/geometry.hpp"
-#include "platform/ros/messages.hpp"
-#include "platform/ros/picture_codec.hpp"
+#include "striate/base/geometry.hpp"
+#include "striate/platform/ros/image_codec.hpp"
+#include "striate/platform/ros/messages.hpp"
 
-namespace striate::ros1 {
+namespace striate::ros {
 
-cv::Mat3b picture_of(const sensor_msgs::Image& message) {
-  RawPicture raw;
+cv::Mat3b image_of(const sensor_msgs::Image& message) {
+  RawImage raw;
   raw.width = message.width;
   raw.height = message.height;
   raw.step = message.step;
@@ -19,7 +19,7 @@ cv::Mat3b picture_of(const sensor_msgs::Image& message) {
   return decode(raw);
 }
 
-cv::Mat3b picture_of(const sensor_msgs::CompressedImage& message) {
+cv::Mat3b image_of(const sensor_msgs::CompressedImage& message) {
   return decode_compressed(message.data.data(), message.data.size());
 }
 
@@ -79,4 +79,4 @@ MotorCommand command_of(const geometry_msgs::Twist& message) {
   return command;
 }
 
-}  // namespace striate::ros1
+}  // namespace striate::ros

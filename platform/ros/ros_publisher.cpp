@@ -1,4 +1,4 @@
-#include "platform/ros/ros_publisher.hpp"
+#include "striate/platform/ros/ros_publisher.hpp"
 
 #include <diagnostic_msgs/DiagnosticArray.h>
 #include <ros/node_handle.h>
@@ -8,12 +8,12 @@
 #include <cmath>
 #include <cstring>
 
-#include "base/geometry.hpp"
-#include "platform/ros/body_to_ros_time.hpp"
-#include "platform/ros/messages.hpp"
-#include "platform/ros/node.hpp"
+#include "striate/base/geometry.hpp"
+#include "striate/platform/ros/body_to_ros_time.hpp"
+#include "striate/platform/ros/messages.hpp"
+#include "striate/platform/ros/node.hpp"
 
-namespace striate::ros1 {
+namespace striate::ros {
 namespace {
 
 /// Grows with the way, stays finite: 1e308 breaks viewers.
@@ -45,13 +45,13 @@ struct RosPublisher::Parts {
   void publish_odometry(const Odometry& odometry);
   void publish_head(const Senses& senses);
   void publish_ranges(const Senses& senses);
-  void publish_pictures(const StereoFrame& frame);
+  void publish_images(const StereoFrame& frame);
 
   RosSettings settings;
   RobotDescription description;
   Tells tells;
   BodyToRosTime time_map;
-  TimePoint picture_stamp{Duration::min()};
+  TimePoint image_stamp{Duration::min()};
   TimePoint laser_stamp{Duration::min()};
   Pose2 last_pose;
   double way_m = 0.0;
@@ -65,7 +65,7 @@ struct RosPublisher::Parts {
   sensor_msgs::JointState joints_message;
   sensor_msgs::LaserScan scan_message;
   sensor_msgs::PointCloud sonar_message;
-  sensor_msgs::Image picture_message;
+  sensor_msgs::Image image_message;
   sensor_msgs::CameraInfo info_message;
   stereo_msgs::DisparityImage disparity_message;
 };
@@ -159,20 +159,20 @@ void RosPublisher::Parts::publish_ranges(const Senses& senses) {
   sonar.publish(sonar_message);
 }
 
-void RosPublisher::Parts::publish_pictures(const StereoFrame& frame) {
-  if (frame.left.empty() || frame.stamp == picture_stamp) return;
-  picture_stamp = frame.stamp;
-  picture_message.header.stamp = info_message.header.stamp = at(frame.stamp);
-  picture_message.header.frame_id = info_message.header.frame_id = settings.camera_frame;
+void RosPublisher::Parts::publish_images(const StereoFrame& frame) {
+  if (frame.left.empty() || frame.stamp == image_stamp) return;
+  image_stamp = frame.stamp;
+  image_message.header.stamp = info_message.header.stamp = at(frame.stamp);
+  image_message.header.frame_id = info_message.header.frame_id = settings.camera_frame;
   write(frame, false, info_message);
   left_info.publish(info_message);
-  write(frame.left, picture_message);
-  left.publish(picture_message);
+  write(frame.left, image_message);
+  left.publish(image_message);
   if (frame.right.empty()) return;
   write(frame, true, info_message);
   right_info.publish(info_message);
-  write(frame.right, picture_message);
-  right.publish(picture_message);
+  write(frame.right, image_message);
+  right.publish(image_message);
 }
 
 RosPublisher::RosPublisher(const RosSettings& settings, const RobotDescription& description,
@@ -190,7 +190,7 @@ void RosPublisher::publish(const Senses& senses) {
   p.publish_odometry(senses.odometry);
   p.publish_head(senses);
   p.publish_ranges(senses);
-  p.publish_pictures(senses.stereo);
+  p.publish_images(senses.stereo);
 }
 
 void RosPublisher::publish(const Disparity& disparity, TimePoint stamp) {
@@ -239,4 +239,4 @@ void RosPublisher::publish(const Health& health) {
   parts_->diagnostics.publish(message);
 }
 
-}  // namespace striate::ros1
+}  // namespace striate::ros

@@ -6,10 +6,10 @@
 #include <utility>
 #include <vector>
 
-#include "platform/interface/robot.hpp"
-#include "platform/ros/ros_settings.hpp"
+#include "striate/platform/interface/robot.hpp"
+#include "striate/platform/ros/ros_settings.hpp"
 
-namespace striate::ros1 {
+namespace striate::ros {
 
 /// A disparity map with the camera at its size.
 struct Disparity {
@@ -29,7 +29,7 @@ struct Health {
 /// What is told: a robot that ROS has already is not told again.
 enum class Tells { body_and_mind, mind };
 
-/// Tells ROS 1 what a body feels and what the mind makes of it: odometry and tf, picture pairs with
+/// Tells ROS 1 what a body feels and what the mind makes of it: odometry and tf, image pairs with
 /// CameraInfo, the head's joints, laser, sonar, disparity, diagnostics. Stamps are ROS time.
 class RosPublisher {
  public:
@@ -37,9 +37,9 @@ class RosPublisher {
   RosPublisher(const RosSettings& settings, const RobotDescription& description, Tells tells);
   ~RosPublisher();
 
-  /// Once a cycle, before the others. Pictures go out once each.
+  /// Once a cycle, before the others. Images go out once each.
   void publish(const Senses& senses);
-  /// @param stamp of the picture that it was made from, in body time
+  /// @param stamp of the image that it was made from, in body time
   void publish(const Disparity& disparity, TimePoint stamp);
   /// On `/diagnostics`.
   void publish(const Health& health);
@@ -49,4 +49,4 @@ class RosPublisher {
   std::unique_ptr<Parts> parts_;
 };
 
-}  // namespace striate::ros1
+}  // namespace striate::ros

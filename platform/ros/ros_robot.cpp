@@ -1,4 +1,4 @@
-#include "platform/ros/ros_robot.hpp"
+#include "striate/platform/ros/ros_robot.hpp"
 
 #include <ros/callback_queue.h>
 #include <ros/spinner.h>
@@ -9,14 +9,14 @@
 #include <stdexcept>
 #include <thread>
 
-#include "base/pioneer_devices.hpp"
-#include "platform/ros/command_lease.hpp"
-#include "platform/ros/hold_reason.hpp"
-#include "platform/ros/mailbox.hpp"
-#include "platform/ros/master_watch.hpp"
-#include "platform/ros/node.hpp"
+#include "striate/base/pioneer_devices.hpp"
+#include "striate/platform/ros/command_lease.hpp"
+#include "striate/platform/ros/hold_reason.hpp"
+#include "striate/platform/ros/mailbox.hpp"
+#include "striate/platform/ros/master_watch.hpp"
+#include "striate/platform/ros/node.hpp"
 
-namespace striate::ros1 {
+namespace striate::ros {
 namespace {
 
 constexpr double kPublishEvery_s = 0.05;  ///< odometry and tf at 20 Hz, twice a cycle
@@ -93,8 +93,8 @@ std::string RosRobot::Parts::missing() const {
   const std::lock_guard lock(mail.mutex);
   if (!mail.inbox.odometry_came())
     return "no odometry came on " + node.resolveName(settings.odometry);
-  if (mail.inbox.pictures_came()) return {};
-  std::string text = "no picture pair came on " + node.resolveName(settings.left_image) + " and " +
+  if (mail.inbox.images_came()) return {};
+  std::string text = "no image pair came on " + node.resolveName(settings.left_image) + " and " +
                      node.resolveName(settings.right_image);
   if (!mail.inbox.camera_known())
     text += ", no usable CameraInfo on " + node.resolveName(settings.left_info) + " and " +
@@ -145,8 +145,8 @@ bool RosRobot::sense(Senses& senses) {
   if (senses.now - *p.mail.inbox.odometry_came() > lost) {
     throw std::runtime_error("the robot is lost: no odometry on " + p.settings.odometry);
   }
-  if (senses.now - *p.mail.inbox.pictures_came() > lost) {
-    throw std::runtime_error("the robot is lost: no pictures on " + p.settings.left_image);
+  if (senses.now - *p.mail.inbox.images_came() > lost) {
+    throw std::runtime_error("the robot is lost: no images on " + p.settings.left_image);
   }
   if (p.master.silent_for() > std::max(lost, kMasterSilent)) {
     throw std::runtime_error("the robot is lost: the ROS master is gone");
@@ -179,4 +179,4 @@ std::string RosRobot::hold() const {
   return parts_->hold_reason(parts_->mail.clock.now());
 }
 
-}  // namespace striate::ros1
+}  // namespace striate::ros

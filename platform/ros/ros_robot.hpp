@@ -3,20 +3,20 @@
 #include <memory>
 #include <string>
 
-#include "platform/interface/robot.hpp"
-#include "platform/ros/ros_settings.hpp"
+#include "striate/platform/interface/robot.hpp"
+#include "striate/platform/ros/ros_settings.hpp"
 
-namespace striate::ros1 {
+namespace striate::ros {
 
-/// A robot that is only reachable through ROS 1, as a body: pictures, odometry, laser, sonar and
+/// A robot that is only reachable through ROS 1, as a body: images, odometry, laser, sonar and
 /// the head's joints come as topics, `cmd_vel` goes out.
 ///
-/// Its own gate is the last: while pictures or odometry, or a laser that has spoken, are silent or
+/// Its own gate is the last: while images or odometry, or a laser that has spoken, are silent or
 /// late for longer than `stale`, or the newest command is older than `lease`, or the master has not
 /// answered for a second, zero is published. With the end of the object zero is published too.
 class RosRobot final : public Robot {
  public:
-  /// Joins ROS and waits for the first pictures and odometry.
+  /// Joins ROS and waits for the first images and odometry.
   /// @throws UserError, std::runtime_error that names the topic on which nothing came.
   explicit RosRobot(const RosSettings& settings, const RobotDescription& description = {},
                     Duration patience = std::chrono::seconds(10));
@@ -24,7 +24,7 @@ class RosRobot final : public Robot {
 
   [[nodiscard]] const RobotDescription& description() const override;
   [[nodiscard]] const Clock& clock() const override;
-  /// @throws std::runtime_error when pictures, odometry or the master are silent for longer
+  /// @throws std::runtime_error when images, odometry or the master are silent for longer
   /// than `lost`.
   bool sense(Senses& senses) override;
   void send(const MotorCommand& command) override;
@@ -38,4 +38,4 @@ class RosRobot final : public Robot {
   std::unique_ptr<Parts> parts_;
 };
 
-}  // namespace striate::ros1
+}  // namespace striate::ros

@@ -2,12 +2,12 @@
 
 #include <string>
 
-#include "base/limits.hpp"
-#include "config/settings.hpp"
+#include "striate/base/limits.hpp"
+#include "striate/config/settings.hpp"
 
-namespace striate::ros1 {
+namespace striate::ros {
 
-/// Names and deadlines of the ROS side. A relative topic lies below ROS_NAMESPACE. A picture topic
+/// Names and deadlines of the ROS side. A relative topic lies below ROS_NAMESPACE. A image topic
 /// that ends in "/compressed" carries sensor_msgs/CompressedImage, any other sensor_msgs/Image.
 struct RosSettings {
   std::string left_image = "stereo/left/image_rect_color";
@@ -30,19 +30,20 @@ struct RosSettings {
   std::string camera_frame = "stereo_left_optical";
 
   double pairing_s = 0.02;  ///< a fifth of the cycle; synchronised eyes differ by much less
-  double stale_s = 0.5;  ///< five pictures missed at 10 Hz
-  double lost_s = 5.0;  ///< ten times stale_s: what has not come back by then will not (ours)
-  double lease_s = to_seconds(kCommandLease);  ///< five cycles at 10 Hz, as the Pioneer's safety gate
-  double focal_px = 0.0;  ///< 0: as CameraInfo says
-  double baseline_m = 0.0;  ///< 0: as CameraInfo says
-  double fixed_tilt_rad = 0.0;  ///< a head that looks straight ahead
-  double scan_forward_m = 0.0;  ///< above the axle, unless told
+  double stale_s = 0.5;     ///< five images missed at 10 Hz
+  double lost_s = 5.0;      ///< ten times stale_s: what has not come back by then will not (ours)
+  double lease_s =
+      to_seconds(kCommandLease);  ///< five cycles at 10 Hz, as the Pioneer's safety gate
+  double focal_px = 0.0;          ///< 0: as CameraInfo says
+  double baseline_m = 0.0;        ///< 0: as CameraInfo says
+  double fixed_tilt_rad = 0.0;    ///< a head that looks straight ahead
+  double scan_forward_m = 0.0;    ///< above the axle, unless told
 };
 
 template <class V>
 void visit(V& v, RosSettings& s) {
   using config::Unit;
-  v.text("left_image", s.left_image, "topic: rectified pictures of the left eye");
+  v.text("left_image", s.left_image, "topic: rectified images of the left eye");
   v.text("right_image", s.right_image, "topic: of the right eye");
   v.text("left_info", s.left_info, "topic: sensor_msgs/CameraInfo of the left eye");
   v.text("right_info", s.right_info, "topic: of the right eye");
@@ -59,11 +60,11 @@ void visit(V& v, RosSettings& s) {
   v.text("odometry_frame", s.odometry_frame, "tf frame of the odometry");
   v.text("base_frame", s.base_frame, "tf frame of the wheel axle's middle");
   v.text("head_frame", s.head_frame, "tf frame of the head: x ahead, y left");
-  v.text("camera_frame", s.camera_frame, "tf frame of the left picture: x right, y down");
+  v.text("camera_frame", s.camera_frame, "tf frame of the left image: x right, y down");
   v.number("pairing", s.pairing_s, Unit::duration, {0.0, 0.2},
            "left and right belong together when their stamps differ by no more");
   v.number("stale", s.stale_s, Unit::duration, {0.1, 2.0},
-           "the robot stands when pictures or odometry are silent for so long");
+           "the robot stands when images or odometry are silent for so long");
   v.number("lost", s.lost_s, Unit::duration, {0.5, 600.0},
            "the mission ends when they are silent for so long");
   v.number("lease", s.lease_s, Unit::duration, {0.05, 0.5}, "an older command does not drive");
@@ -77,4 +78,4 @@ void visit(V& v, RosSettings& s) {
            "place of the laser ahead of the axle");
 }
 
-}  // namespace striate::ros1
+}  // namespace striate::ros

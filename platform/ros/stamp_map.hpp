@@ -3,9 +3,9 @@
 #include <array>
 #include <cstdint>
 
-#include "base/time.hpp"
+#include "striate/base/time.hpp"
 
-namespace striate::ros1 {
+namespace striate::ros {
 
 /// Topics that tell how the clocks lie; each of one publisher, so that its stamps only grow.
 enum class Stream : std::uint8_t { left, right, odometry, laser, sonar, count };
@@ -51,4 +51,4 @@ class StampMap {
   bool known_ = false;
 };
 
-}  // namespace striate::ros1
+}  // namespace striate::ros

@@ -5,40 +5,40 @@
 #include <opencv2/core/mat.hpp>
 #include <optional>
 
-#include "base/time.hpp"
+#include "striate/base/time.hpp"
 
-namespace striate::ros1 {
+namespace striate::ros {
 
-/// One eye's picture with the sender's stamp.
-struct EyePicture {
+/// One eye's image with the sender's stamp.
+struct EyeImage {
   std::int64_t stamp_ns = 0;
-  cv::Mat3b picture;
+  cv::Mat3b image;
 };
 
-struct PicturePair {
-  EyePicture left;
-  EyePicture right;
+struct ImagePair {
+  EyeImage left;
+  EyeImage right;
 };
 
-/// Puts pictures of two topics together whose stamps are nearest to each other, and near enough.
-/// They may come in any order, late, or not at all; a picture is used once, and what is older than
+/// Puts images of two topics together whose stamps are nearest to each other, and near enough.
+/// They may come in any order, late, or not at all; an image is used once, and what is older than
 /// a pair that was found is thrown away.
 class StereoPairing {
  public:
   explicit StereoPairing(Duration tolerance) : tolerance_(tolerance) {}
 
-  /// The pair that this picture completes.
-  std::optional<PicturePair> add_left(EyePicture picture) { return add(std::move(picture), 0); }
-  std::optional<PicturePair> add_right(EyePicture picture) { return add(std::move(picture), 1); }
+  /// The pair that this image completes.
+  std::optional<ImagePair> add_left(EyeImage image) { return add(std::move(image), 0); }
+  std::optional<ImagePair> add_right(EyeImage image) { return add(std::move(image), 1); }
   void clear();
 
  private:
-  std::optional<PicturePair> add(EyePicture picture, int eye);
+  std::optional<ImagePair> add(EyeImage image, int eye);
 
-  /// Pictures of one eye: 0.4 s at 20 Hz, longer than the other one may be late
+  /// Images of one eye: 0.4 s at 20 Hz, longer than the other one may be late
   static constexpr std::size_t kWaiting = 8;
   Duration tolerance_;
-  std::deque<EyePicture> waiting_[2];
+  std::deque<EyeImage> waiting_[2];
 };
 
-}  // namespace striate::ros1
+}  // namespace striate::ros

@@ -5,10 +5,10 @@
 #include <cstring>
 #include <limits>
 
-#include "base/geometry.hpp"
-#include "platform/ros/messages.hpp"
+#include "striate/base/geometry.hpp"
+#include "striate/platform/ros/messages.hpp"
 
-namespace striate::ros1 {
+namespace striate::ros {
 namespace {
 
 constexpr int kScanSteps = 360;  // a turn in degrees, whatever the body's own steps are
@@ -19,15 +19,15 @@ constexpr float kScanFarthest_m = 30.0F;
 
 }  // namespace
 
-void write(const cv::Mat3b& picture, sensor_msgs::Image& message) {
-  message.width = static_cast<std::uint32_t>(picture.cols);
-  message.height = static_cast<std::uint32_t>(picture.rows);
+void write(const cv::Mat3b& image, sensor_msgs::Image& message) {
+  message.width = static_cast<std::uint32_t>(image.cols);
+  message.height = static_cast<std::uint32_t>(image.rows);
   message.step = message.width * 3;
   message.encoding = sensor_msgs::image_encodings::BGR8;
   message.is_bigendian = 0;
   message.data.resize(static_cast<std::size_t>(message.step) * message.height);
-  for (int v = 0; v < picture.rows; ++v) {
-    std::memcpy(message.data.data() + static_cast<std::size_t>(v) * message.step, picture.ptr(v),
+  for (int v = 0; v < image.rows; ++v) {
+    std::memcpy(message.data.data() + static_cast<std::size_t>(v) * message.step, image.ptr(v),
                 message.step);
   }
 }
@@ -55,14 +55,14 @@ void write(const Odometry& odometry, nav_msgs::Odometry& message) {
 }
 
 void write(const RangeScan& scan, sensor_msgs::LaserScan& message) {
-  message.angle_increment = static_cast<float>(2.0 * kHalfTurn_rad / kScanSteps);
-  message.angle_min = static_cast<float>(-kHalfTurn_rad);
+  message.angle_increment = static_cast<float>(2.0 * kPi / kScanSteps);
+  message.angle_min = static_cast<float>(-kPi);
   message.angle_max = message.angle_min + message.angle_increment * (kScanSteps - 1);
   message.range_min = kScanNearest_m;
   message.range_max = kScanFarthest_m;
   message.ranges.assign(kScanSteps, std::numeric_limits<float>::quiet_NaN());
   for (const RangeReading& echo : scan.readings) {
-    const double turn = (wrap_angle(echo.bearing_rad) + kHalfTurn_rad) / (2.0 * kHalfTurn_rad);
+    const double turn = (wrap_angle(echo.bearing_rad) + kPi) / (2.0 * kPi);
     const auto step = static_cast<std::size_t>(std::lround(turn * kScanSteps)) % kScanSteps;
     float& range_m = message.ranges[step];
     // fmin takes the number where the other is none.
@@ -88,4 +88,4 @@ geometry_msgs::Twist twist_of(const MotorCommand& command) {
   return twist;
 }
 
-}  // namespace striate::ros1
+}  // namespace striate::ros

@@ -1,4 +1,4 @@
-#include "platform/simulator/clearance_map.hpp"
+#include "striate/platform/simulator/clearance_map.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,9 +8,10 @@
 namespace striate::simulator {
 namespace {
 
-constexpr double kCellM = 0.1;  // a fifth of a person's width: no gap that one fits through is lost
+constexpr double kCell_m =
+    0.1;  // a fifth of a person's width: no gap that one fits through is lost
 /// People need no finer answer than "more than this".
-constexpr double kFarM = 1.5;  // people need no finer answer than "more than this": six radii
+constexpr double kFar_m = 1.5;  // people need no finer answer than "more than this": six radii
 /// The string is pulled tight over this many cells at a time: long ways stay cheap.
 /// The string is pulled tight over so many cells, 8 m, at a time: long ways stay cheap (ours)
 constexpr std::size_t kPullCells = 80;
@@ -24,16 +25,16 @@ ClearanceMap::ClearanceMap(const World& world, const FloorPlan& plan) {
     low = {std::min(low.x_m, corner.x_m), std::min(low.y_m, corner.y_m)};
     high = {std::max(high.x_m, corner.x_m), std::max(high.y_m, corner.y_m)};
   }
-  origin_ = {low.x_m - kCellM, low.y_m - kCellM};
-  columns_ = static_cast<int>(std::ceil((high.x_m - origin_.x_m) / kCellM)) + 2;
-  rows_ = static_cast<int>(std::ceil((high.y_m - origin_.y_m) / kCellM)) + 2;
+  origin_ = {low.x_m - kCell_m, low.y_m - kCell_m};
+  columns_ = static_cast<int>(std::ceil((high.x_m - origin_.x_m) / kCell_m)) + 2;
+  rows_ = static_cast<int>(std::ceil((high.y_m - origin_.y_m) / kCell_m)) + 2;
   fill(world, plan);
 }
 
 void ClearanceMap::fill(const World& world, const FloorPlan& plan) {
   std::vector<StaticShape> things = standing_shapes(world, plan);
   for (StaticShape& wall : wall_shapes(plan)) things.push_back(std::move(wall));
-  clearance_m_.assign(static_cast<std::size_t>(columns_ * rows_), static_cast<float>(kFarM));
+  clearance_m_.assign(static_cast<std::size_t>(columns_ * rows_), static_cast<float>(kFar_m));
   // Each thing touches only the cells near it.
   for (const StaticShape& thing : things) {
     Point2 low = thing.shape.corners.front();
@@ -42,9 +43,9 @@ void ClearanceMap::fill(const World& world, const FloorPlan& plan) {
       low = {std::min(low.x_m, corner.x_m), std::min(low.y_m, corner.y_m)};
       high = {std::max(high.x_m, corner.x_m), std::max(high.y_m, corner.y_m)};
     }
-    const double reach = kFarM + thing.shape.radius_m;
+    const double reach = kFar_m + thing.shape.radius_m;
     const auto cell = [](double value, double origin, int count) {
-      return std::clamp(static_cast<int>(std::floor((value - origin) / kCellM)), 0, count - 1);
+      return std::clamp(static_cast<int>(std::floor((value - origin) / kCell_m)), 0, count - 1);
     };
     const int column_end = cell(high.x_m + reach, origin_.x_m, columns_);
     const int row_end = cell(high.y_m + reach, origin_.y_m, rows_);
@@ -64,20 +65,20 @@ void ClearanceMap::fill(const World& world, const FloorPlan& plan) {
 
 Point2 ClearanceMap::place_of(int cell) const {
   const int column = cell % columns_, row = cell / columns_;
-  return {origin_.x_m + kCellM * column, origin_.y_m + kCellM * row};
+  return {origin_.x_m + kCell_m * column, origin_.y_m + kCell_m * row};
 }
 
 int ClearanceMap::cell_at(Point2 place) const {
-  const int column = std::clamp(static_cast<int>(std::lround((place.x_m - origin_.x_m) / kCellM)),
+  const int column = std::clamp(static_cast<int>(std::lround((place.x_m - origin_.x_m) / kCell_m)),
                                 0, columns_ - 1);
   const int row =
-      std::clamp(static_cast<int>(std::lround((place.y_m - origin_.y_m) / kCellM)), 0, rows_ - 1);
+      std::clamp(static_cast<int>(std::lround((place.y_m - origin_.y_m) / kCell_m)), 0, rows_ - 1);
   return row * columns_ + column;
 }
 
 double ClearanceMap::at(Point2 place) const {
-  const double x = (place.x_m - origin_.x_m) / kCellM;
-  const double y = (place.y_m - origin_.y_m) / kCellM;
+  const double x = (place.x_m - origin_.x_m) / kCell_m;
+  const double y = (place.y_m - origin_.y_m) / kCell_m;
   const int column = static_cast<int>(std::floor(x));
   const int row = static_cast<int>(std::floor(y));
   if (column < 0 || row < 0 || column + 1 >= columns_ || row + 1 >= rows_) return 0.0;
@@ -89,7 +90,7 @@ double ClearanceMap::at(Point2 place) const {
 }
 
 bool ClearanceMap::straight_is_free(Point2 from, Point2 to, double radius_m) const {
-  const int steps = 1 + static_cast<int>(distance_m(from, to) / (kCellM / 2));
+  const int steps = 1 + static_cast<int>(distance_m(from, to) / (kCell_m / 2));
   for (int i = 0; i <= steps; ++i) {
     const double t = static_cast<double>(i) / steps;
     if (at({from.x_m + t * (to.x_m - from.x_m), from.y_m + t * (to.y_m - from.y_m)}) < radius_m) {
@@ -99,7 +100,7 @@ bool ClearanceMap::straight_is_free(Point2 from, Point2 to, double radius_m) con
   return true;
 }
 
-std::vector<int> ClearanceMap::cells_on_way(int from, int to, double radius_m) const {
+std::vector<int> ClearanceMap::cells_on_path(int from, int to, double radius_m) const {
   // A* over the eight neighbours.
   const std::size_t count = clearance_m_.size();
   std::vector<float> cost(count, std::numeric_limits<float>::infinity());
@@ -122,7 +123,7 @@ std::vector<int> ClearanceMap::cells_on_way(int from, int to, double radius_m) c
         const int next = row * columns_ + column;
         const auto index = static_cast<std::size_t>(next);
         if (clearance_m_[index] < radius_m && next != to) continue;
-        const float through = so_far + static_cast<float>(kCellM * std::hypot(dx, dy));
+        const float through = so_far + static_cast<float>(kCell_m * std::hypot(dx, dy));
         if (through >= cost[index]) continue;
         cost[index] = through;
         came_from[index] = cell;
@@ -143,7 +144,7 @@ std::optional<std::vector<Point2>> ClearanceMap::way(Point2 from, Point2 to,
                                                      double radius_m) const {
   if (straight_is_free(from, to, radius_m)) return std::vector<Point2>{from, to};
   std::vector<Point2> raw;
-  for (const int cell : cells_on_way(cell_at(from), cell_at(to), radius_m)) {
+  for (const int cell : cells_on_path(cell_at(from), cell_at(to), radius_m)) {
     raw.push_back(place_of(cell));
   }
   if (raw.size() < 2) return std::nullopt;

@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "platform/simulator/static_shapes.hpp"
+#include "striate/platform/simulator/static_shapes.hpp"
 
 namespace striate::simulator {
 
@@ -28,7 +28,7 @@ class ClearanceMap {
   [[nodiscard]] Point2 place_of(int cell) const;
   [[nodiscard]] int cell_at(Point2 place) const;
   void fill(const World& world, const FloorPlan& plan);
-  [[nodiscard]] std::vector<int> cells_on_way(int from, int to, double radius_m) const;
+  [[nodiscard]] std::vector<int> cells_on_path(int from, int to, double radius_m) const;
 
   Point2 origin_;
   int columns_ = 0;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "platform/simulator/world.hpp"
+#include "striate/platform/simulator/world.hpp"
 
 namespace striate::simulator {
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "platform/interface/senses.hpp"
-#include "platform/simulator/random.hpp"
-#include "platform/simulator/simulator_settings.hpp"
+#include "striate/platform/interface/senses.hpp"
+#include "striate/platform/simulator/random.hpp"
+#include "striate/platform/simulator/simulator_settings.hpp"
 
 namespace striate::simulator {
 

@@ -1,15 +1,15 @@
-#include "platform/simulator/doorways.hpp"
+#include "striate/platform/simulator/doorways.hpp"
 
 #include <algorithm>
 
-#include "platform/simulator/corridor_width.hpp"
-#include "platform/simulator/obstacle_shapes.hpp"
+#include "striate/platform/simulator/corridor_width.hpp"
+#include "striate/platform/simulator/obstacle_shapes.hpp"
 
 namespace striate::simulator {
 
 std::vector<Doorway> doorways(const World& world, const FloorPlan& plan, const ClearanceMap& map) {
   // Before and behind a door leaf: a person's radius and 0.2 m of room (ours)
-  constexpr double kStepM = 0.45;
+  constexpr double kStep_m = 0.45;
   std::vector<Doorway> result;
   for (const Door& door : world.doors) {
     const double sign = door.side == Side::left ? 1.0 : -1.0;
@@ -18,7 +18,7 @@ std::vector<Doorway> doorways(const World& world, const FloorPlan& plan, const C
       const Pose2 pose = plan.at(door.at_m, sign * left_m);
       return Point2{pose.x_m, pose.y_m};
     };
-    const Doorway way{at(wall - kStepM), at(wall), at(wall + kStepM)};
+    const Doorway way{at(wall - kStep_m), at(wall), at(wall + kStep_m)};
     if (map.at(way.inside) >= kPersonRadius_m) result.push_back(way);
   }
   return result;

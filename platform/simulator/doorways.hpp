@@ -3,8 +3,8 @@
 #include <optional>
 #include <vector>
 
-#include "platform/simulator/clearance_map.hpp"
-#include "platform/simulator/scene.hpp"
+#include "striate/platform/simulator/clearance_map.hpp"
+#include "striate/platform/simulator/scene.hpp"
 
 namespace striate::simulator {
 

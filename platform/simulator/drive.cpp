@@ -1,4 +1,4 @@
-#include "platform/simulator/drive.hpp"
+#include "striate/platform/simulator/drive.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,10 +7,10 @@ namespace striate::simulator {
 namespace {
 
 /// Steps that end within a nanosecond of a due time are there: sums of 10 ms are not exact.
-constexpr double kAlmostS = 1e-9;
+constexpr double kAlmost_s = 1e-9;
 /// Slower than this the wheels cannot be told from standing.
 /// Slower than this the wheels cannot be told from standing: 20 times a SIP's 1 mm/s
-constexpr double kStandingM_s = 0.02;
+constexpr double kStanding_m_s = 0.02;
 constexpr double kStandingRad_s = 0.05;  // 3 deg/s: slower turning cannot be told from standing
 
 /// Share of the wanted speed: held wheels go slower; slip and ramps do not halve it (ours)
@@ -39,7 +39,7 @@ void Drive::stop() {
 }
 
 void Drive::step(double now_s, double dt_s, double really_forward_m_s, double really_turn_rad_s) {
-  while (!pending_.empty() && pending_.front().due_s <= now_s + kAlmostS) {
+  while (!pending_.empty() && pending_.front().due_s <= now_s + kAlmost_s) {
     in_force_ = pending_.front().command;
     last_arrival_s_ = now_s;
     pending_.pop_front();
@@ -58,7 +58,7 @@ void Drive::step(double now_s, double dt_s, double really_forward_m_s, double re
 }
 
 void Drive::feel_stall(double dt_s, double really_forward_m_s, double really_turn_rad_s) {
-  const bool held_forward = std::abs(forward_m_s_) > kStandingM_s &&
+  const bool held_forward = std::abs(forward_m_s_) > kStanding_m_s &&
                             std::abs(really_forward_m_s) < kHeld * std::abs(forward_m_s_);
   const bool held_turn = std::abs(turn_rad_s_) > kStandingRad_s &&
                          std::abs(really_turn_rad_s) < kHeld * std::abs(turn_rad_s_);
@@ -68,10 +68,10 @@ void Drive::feel_stall(double dt_s, double really_forward_m_s, double really_tur
     return;
   }
   pushing_s_ += dt_s;
-  if (pushing_s_ + kAlmostS < settings_.stall_after_s) return;
+  if (pushing_s_ + kAlmost_s < settings_.stall_after_s) return;
   // A blocked motor turns no further than the thing in its way lets it.
   stalled_ = true;
-  forward_m_s_ = towards(really_forward_m_s, forward_m_s_, 2 * kStandingM_s);
+  forward_m_s_ = towards(really_forward_m_s, forward_m_s_, 2 * kStanding_m_s);
   turn_rad_s_ = towards(really_turn_rad_s, turn_rad_s_, 2 * kStandingRad_s);
 }
 

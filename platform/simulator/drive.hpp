@@ -2,8 +2,8 @@
 
 #include <deque>
 
-#include "platform/interface/robot.hpp"
-#include "platform/simulator/simulator_settings.hpp"
+#include "striate/platform/interface/robot.hpp"
+#include "striate/platform/simulator/simulator_settings.hpp"
 
 namespace striate::simulator {
 

@@ -2,9 +2,9 @@
 #include <cmath>
 #include <limits>
 
-#include "platform/simulator/corridor_width.hpp"
-#include "platform/simulator/scene.hpp"
-#include "platform/simulator/shapes.hpp"
+#include "striate/platform/simulator/corridor_width.hpp"
+#include "striate/platform/simulator/scene.hpp"
+#include "striate/platform/simulator/shapes.hpp"
 
 namespace striate::simulator {
 namespace {
@@ -61,18 +61,18 @@ class PlanBuilder {
     leg_starts_m_.push_back(0.0);
     plan_.centre_line.push_back({0.0, 0.0});
     for (const Turn& turn : world_.turns) {
-      const Point2 bend = to_outer(pose, Point2{turn.at_m - along, 0.0});
+      const Point2 bend = transform(pose, Point2{turn.at_m - along, 0.0});
       plan_.centre_line.push_back(bend);
       leg_starts_m_.push_back(turn.at_m);
       pose = {bend.x_m, bend.y_m, pose.heading_rad + turn.angle_rad};
       along = turn.at_m;
     }
-    plan_.centre_line.push_back(to_outer(pose, Point2{world_.length_m - along, 0.0}));
+    plan_.centre_line.push_back(transform(pose, Point2{world_.length_m - along, 0.0}));
     legs_ = legs_of(plan_.centre_line);
   }
 
   [[nodiscard]] Point2 place(std::size_t leg, double along_m, double left_m) const {
-    return to_outer(legs_[leg].start, Point2{along_m - leg_starts_m_[leg], left_m});
+    return transform(legs_[leg].start, Point2{along_m - leg_starts_m_[leg], left_m});
   }
   [[nodiscard]] Point2 from_of(const Piece& p) const { return place(p.leg, p.from_m, p.left_m); }
   [[nodiscard]] Point2 to_of(const Piece& p) const { return place(p.leg, p.to_m, p.left_m); }
@@ -169,7 +169,7 @@ Pose2 FloorPlan::at(double along_m, double left_m) const {
   const std::vector<Leg> legs = legs_of(centre_line);
   for (std::size_t i = 0; i < legs.size(); ++i) {
     if (i + 1 == legs.size() || along_m <= done + legs[i].length_m) {
-      return to_outer(legs[i].start, Pose2{along_m - done, left_m, 0.0});
+      return transform(legs[i].start, Pose2{along_m - done, left_m, 0.0});
     }
     done += legs[i].length_m;
   }
@@ -182,7 +182,7 @@ Pose2 FloorPlan::along(const Pose2& plan) const {
   double done = 0.0;
   const std::vector<Leg> legs = legs_of(centre_line);
   for (std::size_t i = 0; i < legs.size(); ++i) {
-    const Pose2 local = to_inner(legs[i].start, plan);
+    const Pose2 local = inverse_transform(legs[i].start, plan);
     // The first leg reaches back before the start wall, the last one on beyond the end.
     const double low = i == 0 ? -std::numeric_limits<double>::infinity() : 0.0;
     const double high =

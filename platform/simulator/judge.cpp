@@ -1,28 +1,28 @@
-#include "platform/simulator/judge.hpp"
+#include "striate/platform/simulator/judge.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "platform/simulator/obstacle_shapes.hpp"
+#include "striate/platform/simulator/obstacle_shapes.hpp"
 
 namespace striate::simulator {
 namespace {
 
 /// The physics feels a touch by its own skin of about 2 mm, and not at every grazing pass: what is
 /// nearer than that by the exact distance is touched as well.
-constexpr double kTouchingM = 0.002;
+constexpr double kTouching_m = 0.002;
 /// So near it is measured at every step: two steps of 7.5 mm from each side (ours)
-constexpr double kWatchedM = 0.03;
-constexpr double kNearM = 0.10;  ///< a near miss: a hand's breadth (ours)
-/// A near miss has ended: so much beyond kNearM that noise ends none (ours)
-constexpr double kFarAgainM = 0.15;
+constexpr double kWatched_m = 0.03;
+constexpr double kNear_m = 0.10;  ///< a near miss: a hand's breadth (ours)
+/// A near miss has ended: so much beyond kNear_m that noise ends none (ours)
+constexpr double kFarAgain_m = 0.15;
 /// Touching again so soon is the same collision: a bounce (ours)
-constexpr double kSameTouchS = 1.0;
-constexpr double kPathPeriodS = 0.2;    ///< between noted poses: 0.15 m at full speed
-constexpr double kPeoplePeriodS = 0.5;  ///< between noted places of people: a step
-constexpr double kAlmostS = 1e-9;       ///< sums of 10 ms are not exact: a nanosecond is there
+constexpr double kSameTouch_s = 1.0;
+constexpr double kPathPeriod_s = 0.2;    ///< between noted poses: 0.15 m at full speed
+constexpr double kPeoplePeriod_s = 0.5;  ///< between noted places of people: a step
+constexpr double kAlmost_s = 1e-9;       ///< sums of 10 ms are not exact: a nanosecond is there
 /// Faster than this a thing counts as moving when it was hit: a tenth of a slow walk (ours)
-constexpr double kMovingM_s = 0.05;
+constexpr double kMoving_m_s = 0.05;
 
 }  // namespace
 
@@ -41,14 +41,14 @@ void Judge::add_obstacles(const World& new_ones) {
 }
 
 void Judge::look(double now_s, const Physics& physics, const People& people,
-                 const PictureSource* light) {
+                 const ImageSource* light) {
   note_path(now_s, physics, people);
   std::vector<Touch> touches = physics.touches();
   // In 20 ms nothing comes 3 cm nearer.
-  const bool measured = looks_++ % 2 == 0 || clearance_m_ < kWatchedM;
+  const bool measured = looks_++ % 2 == 0 || clearance_m_ < kWatched_m;
   Nearest nearest;
   if (measured) nearest = nearest_thing(people);
-  if (touches.empty() && nearest.clearance_m < kTouchingM) {
+  if (touches.empty() && nearest.clearance_m < kTouching_m) {
     touches.push_back({nearest.name, nearest.moving});
   }
   note_touches(now_s, touches, light);
@@ -69,18 +69,18 @@ void Judge::note_path(double now_s, const Physics& physics, const People& people
   }
   started_ = true;
   now_ = {now_s, pose};
-  if (path_.empty() || now_s - path_.back().time_s >= kPathPeriodS - kAlmostS) {
+  if (path_.empty() || now_s - path_.back().time_s >= kPathPeriod_s - kAlmost_s) {
     path_.push_back(now_);
   }
-  if (people_.empty() || now_s - people_.back().time_s >= kPeoplePeriodS - kAlmostS) {
+  if (people_.empty() || now_s - people_.back().time_s >= kPeoplePeriod_s - kAlmost_s) {
     people_.push_back({now_s, {}});
     for (const PersonState& person : people.states()) people_.back().people.push_back(person.pose);
   }
 }
 
 void Judge::note_touches(double now_s, const std::vector<Touch>& touches,
-                         const PictureSource* light) {
-  std::erase_if(held_, [&](const Held& held) { return now_s - held.last_s > kSameTouchS; });
+                         const ImageSource* light) {
+  std::erase_if(held_, [&](const Held& held) { return now_s - held.last_s > kSameTouch_s; });
   for (const Touch& touch : touches) {
     const auto same = std::find_if(held_.begin(), held_.end(),
                                    [&](const Held& held) { return held.name == touch.name; });
@@ -117,7 +117,7 @@ Judge::Nearest Judge::nearest_thing(const People& people) const {
     if (distance_m(middle, at) - kPersonRadius_m - reach > nearest.clearance_m) continue;
     const double clearance = distance_m(robot, disc(at, kPersonRadius_m));
     if (clearance < nearest.clearance_m) {
-      nearest = {clearance, people.name(i), person.speed_m_s > kMovingM_s};
+      nearest = {clearance, people.name(i), person.speed_m_s > kMoving_m_s};
     }
   }
   return nearest;
@@ -132,12 +132,12 @@ void Judge::note_touching() {
 void Judge::note_clearance(double now_s, const Nearest& nearest) {
   clearance_m_ = nearest.clearance_m;
   nearest_pass_m_ = std::min(nearest_pass_m_, nearest.clearance_m);
-  if (nearest.clearance_m < kNearM && (!near_ || nearest.clearance_m < nearing_.clearance_m)) {
+  if (nearest.clearance_m < kNear_m && (!near_ || nearest.clearance_m < nearing_.clearance_m)) {
     const Pose2 at = in_corridor();
     nearing_ = {now_s, at.x_m, at.y_m, nearest.clearance_m, nearest.name, nearest.moving};
     near_ = true;
   }
-  if (near_ && nearest.clearance_m > kFarAgainM) {
+  if (near_ && nearest.clearance_m > kFarAgain_m) {
     near_misses_.push_back(nearing_);
     near_ = false;
   }
@@ -146,14 +146,14 @@ void Judge::note_clearance(double now_s, const Nearest& nearest) {
 void Judge::decide(double now_s) {
   if (over_) return;
   if (!collisions_.empty()) {
-    outcome_ = Outcome::collided;
+    outcome_ = Verdict::collided;
     over_ = settings_.ends_at_collision;
   } else if (reached_goal_) {
-    outcome_ = Outcome::reached_goal;
+    outcome_ = Verdict::reached_goal;
   }
   over_ = over_ || (reached_goal_ && settings_.ends_at_goal);
-  if (!over_ && settings_.time_limit_s > 0.0 && now_s + kAlmostS >= settings_.time_limit_s) {
-    if (outcome_ == Outcome::running) outcome_ = Outcome::time_up;
+  if (!over_ && settings_.time_limit_s > 0.0 && now_s + kAlmost_s >= settings_.time_limit_s) {
+    if (outcome_ == Verdict::running) outcome_ = Verdict::time_up;
     over_ = true;
   }
   if (over_ && near_) near_misses_.push_back(nearing_);

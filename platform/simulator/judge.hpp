@@ -5,16 +5,16 @@
 #include <string>
 #include <vector>
 
-#include "platform/simulator/people.hpp"
-#include "platform/simulator/physics.hpp"
-#include "platform/simulator/picture_source.hpp"
-#include "platform/simulator/simulator_settings.hpp"
-#include "platform/simulator/static_shapes.hpp"
+#include "striate/platform/simulator/image_source.hpp"
+#include "striate/platform/simulator/people.hpp"
+#include "striate/platform/simulator/physics.hpp"
+#include "striate/platform/simulator/simulator_settings.hpp"
+#include "striate/platform/simulator/static_shapes.hpp"
 
 /// The truth about a run, for judging alone: nothing that sees, remembers, wants or moves may ask.
 namespace striate::simulator {
 
-enum class Outcome { running, reached_goal, collided, time_up };
+enum class Verdict { running, reached_goal, collided, time_up };
 
 struct Collision {
   double time_s = 0.0;
@@ -55,9 +55,9 @@ class Judge {
   void add_obstacles(const World& new_ones);
 
   /// Looks at the moment; call every physics step. `light` may be null.
-  void look(double now_s, const Physics& physics, const People& people, const PictureSource* light);
+  void look(double now_s, const Physics& physics, const People& people, const ImageSource* light);
 
-  [[nodiscard]] Outcome outcome() const { return outcome_; }
+  [[nodiscard]] Verdict outcome() const { return outcome_; }
   /// The settings say that the run ends here.
   [[nodiscard]] bool over() const { return over_; }
   [[nodiscard]] const PathPoint& now() const { return now_; }  ///< the true pose
@@ -80,7 +80,7 @@ class Judge {
     bool moving = false;
   };
   void note_path(double now_s, const Physics& physics, const People& people);
-  void note_touches(double now_s, const std::vector<Touch>& touches, const PictureSource* light);
+  void note_touches(double now_s, const std::vector<Touch>& touches, const ImageSource* light);
   void note_touching();
   void note_clearance(double now_s, const Nearest& nearest);
   [[nodiscard]] Nearest nearest_thing(const People& people) const;
@@ -92,7 +92,7 @@ class Judge {
   JudgeSettings settings_;
   double goal_beyond_m_;
 
-  Outcome outcome_ = Outcome::running;
+  Verdict outcome_ = Verdict::running;
   bool over_ = false;
   std::uint64_t looks_ = 0;
   bool reached_goal_ = false;

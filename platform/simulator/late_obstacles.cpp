@@ -1,4 +1,4 @@
-#include "platform/simulator/late_obstacles.hpp"
+#include "striate/platform/simulator/late_obstacles.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "platform/simulator/scene.hpp"
+#include "striate/platform/simulator/scene.hpp"
 
 namespace striate::simulator {
 

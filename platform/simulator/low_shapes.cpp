@@ -1,16 +1,17 @@
-#include "platform/simulator/low_shapes.hpp"
+#include "striate/platform/simulator/low_shapes.hpp"
 
-#include "platform/simulator/obstacle_shapes.hpp"
+#include "striate/platform/simulator/obstacle_shapes.hpp"
 
 namespace striate::simulator {
 namespace {
 
 // As the renderer draws them.
-constexpr double kTableLegM = 0.055;
-constexpr double kTableLegInM = 0.03;  ///< from the top's edge to the leg, as the renderer draws it
-constexpr double kChairLegM = 0.026;   ///< thickness, as the renderer draws it
+constexpr double kTableLeg_m = 0.055;
+constexpr double kTableLegIn_m =
+    0.03;                              ///< from the top's edge to the leg, as the renderer draws it
+constexpr double kChairLeg_m = 0.026;  ///< thickness, as the renderer draws it
 /// From the seat's edge to the leg, as the renderer draws it
-constexpr double kChairLegInM = 0.022;
+constexpr double kChairLegIn_m = 0.022;
 constexpr double kPotShare = 0.48;  ///< of a plant's width, as the renderer draws it
 
 std::vector<ConvexShape> low_outline(const WorldObstacle& obstacle, const FloorPlan& plan) {
@@ -24,13 +25,13 @@ std::vector<ConvexShape> low_outline(const WorldObstacle& obstacle, const FloorP
     return obstacle_outline(obstacle, plan);
   }
   const bool table = obstacle.kind == ObstacleKind::table;
-  const double leg = table ? kTableLegM : kChairLegM;
-  const double in = table ? kTableLegInM : kChairLegInM;
+  const double leg = table ? kTableLeg_m : kChairLeg_m;
+  const double in = table ? kTableLegIn_m : kChairLegIn_m;
   std::vector<ConvexShape> legs;
   for (const double x : {-1.0, 1.0}) {
     for (const double y : {-1.0, 1.0}) {
       const Point2 at =
-          to_outer(pose, Point2{x * ((size.x_m - leg) / 2 - in), y * ((size.y_m - leg) / 2 - in)});
+          transform(pose, Point2{x * ((size.x_m - leg) / 2 - in), y * ((size.y_m - leg) / 2 - in)});
       legs.push_back(rectangle({at.x_m, at.y_m, pose.heading_rad}, leg, leg));
     }
   }

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "platform/simulator/static_shapes.hpp"
+#include "striate/platform/simulator/static_shapes.hpp"
 
 namespace striate::simulator {
 

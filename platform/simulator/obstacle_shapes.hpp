@@ -4,7 +4,7 @@
 #include <numbers>
 #include <vector>
 
-#include "platform/simulator/world.hpp"
+#include "striate/platform/simulator/world.hpp"
 
 /// How large each kind of obstacle is and what it covers of the floor: one truth for the renderer,
 /// which draws it, and for the physics, which lets the robot touch it. Frame of an obstacle: its

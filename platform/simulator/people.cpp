@@ -1,47 +1,47 @@
-#include "platform/simulator/people.hpp"
+#include "striate/platform/simulator/people.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "platform/simulator/obstacle_shapes.hpp"
+#include "striate/platform/simulator/obstacle_shapes.hpp"
 
 namespace striate::simulator {
 namespace {
 
 /// A person, and 2 cm that a walker's steps err by
-constexpr double kRoomM = kPersonRadius_m + 0.02;
+constexpr double kRoom_m = kPersonRadius_m + 0.02;
 constexpr std::uint64_t kStepsPerDecision = 10;  ///< of 10 ms: people decide ten times a second
-constexpr double kPatienceS = 4.0;  ///< held up for so long, a walker makes room (ours)
+constexpr double kPatience_s = 4.0;  ///< held up for so long, a walker makes room (ours)
 /// From going back to trying again (ours)
-constexpr double kYieldS = 8.0;
+constexpr double kYield_s = 8.0;
 /// Nearer to the robot nobody appears out of nothing: seven times its way to stop
-constexpr double kAppearM = 4.0;
+constexpr double kAppear_m = 4.0;
 
 /// By seed: a share of the speed, seconds of the start, metres along and across (ours). Runs
 /// differ, but nobody walks another way than the world file means.
 constexpr double kSlowest = 0.85, kFastest = 1.15;
 /// Latest start after the given one, s: some metres of way (ours).
-constexpr double kLatestS = 8.0;
+constexpr double kLatest_s = 8.0;
 /// Points of a walk differ by no more along the corridor: a step's half (ours).
-constexpr double kAlongM = 0.3;
+constexpr double kAlong_m = 0.3;
 /// And across it: less than the room beside a person in a narrow corridor (ours).
-constexpr double kAcrossM = 0.15;
+constexpr double kAcross_m = 0.15;
 /// Farther people change nothing of where a walker steps within kMoments (walker.cpp): 1.8 s at 1.5
 /// m/s each.
-constexpr double kSeesOthersM = 6.0;
+constexpr double kSeesOthers_m = 6.0;
 /// Nobody appears nearer to another: two radii and a step (ours).
-constexpr double kFreeToAppearM = 1.0;
+constexpr double kFreeToAppear_m = 1.0;
 /// A door within this is looked for at the end of a way: the doors of the worlds are nearer (ours).
-constexpr double kDoorWithinM = 20.0;
+constexpr double kDoorWithin_m = 20.0;
 
 /// A way through the corridor's points that goes round what stands there; where a leg has no free
 /// way its end is left out.
 std::vector<Point2> free_way(const std::vector<Point2>& points, const ClearanceMap& map) {
   std::vector<Point2> way{points.front()};
   for (std::size_t i = 1; i < points.size(); ++i) {
-    const auto leg = map.way(way.back(), points[i], kRoomM);
+    const auto leg = map.way(way.back(), points[i], kRoom_m);
     if (leg) way.insert(way.end(), leg->begin() + 1, leg->end());
   }
   return way;
@@ -78,16 +78,16 @@ void People::add_walks(std::uint64_t seed) {
     Walking walking;
     walking.slot = walks_.size();
     walking.speed_m_s = walk.speed_m_s * random.between(draw++, kSlowest, kFastest);
-    walking.from_s = walk.from_s + random.between(draw++, 0.0, kLatestS);
+    walking.from_s = walk.from_s + random.between(draw++, 0.0, kLatest_s);
     walking.repeat = walk.repeat;
     walking.look = static_cast<int>(random.bits(draw++) % 64);
     std::vector<Point2> points = walk.points;
     for (Point2& point : points) {
       const Point2 given = point;
-      point.x_m += random.between(draw++, -kAlongM, kAlongM);
-      point.y_m += random.between(draw++, -kAcrossM, kAcrossM);
+      point.x_m += random.between(draw++, -kAlong_m, kAlong_m);
+      point.y_m += random.between(draw++, -kAcross_m, kAcross_m);
       const Pose2 pose = plan_.at(point.x_m, point.y_m);
-      if (map_.at({pose.x_m, pose.y_m}) < kRoomM) point = given;
+      if (map_.at({pose.x_m, pose.y_m}) < kRoom_m) point = given;
     }
     walking.way = free_way(plan_path(world_, plan_, points), map_);
     walking.done = walking.way.size() < 2;
@@ -113,7 +113,7 @@ void People::look_round(const RobotMotion& robot) {
   around_.robot_turn_rad_s = robot.turn_rad_s;
   around_.body = moved(around_.footprint, robot.pose);
   const double way =
-      std::copysign(stopping_way_m(robot.forward_m_s, place_.robot), robot.forward_m_s);
+      std::copysign(stopping_distance_m(robot.forward_m_s, place_.robot), robot.forward_m_s);
   ConvexShape swept = around_.footprint;
   for (Point2& corner : swept.corners) {
     if ((corner.x_m > 0.0) == (way > 0.0)) corner.x_m += way;
@@ -134,7 +134,7 @@ void People::see_others(std::size_t slot) {
   for (std::size_t other = 0; other < slots_.size(); ++other) {
     const Walker* walker = walker_of(other);
     if (other == slot || !walker->present()) continue;
-    if (distance_m(here, walker->at()) < kSeesOthersM) around_.others.push_back(walker->passer());
+    if (distance_m(here, walker->at()) < kSeesOthers_m) around_.others.push_back(walker->passer());
   }
 }
 
@@ -158,11 +158,11 @@ void People::decide(double now_s) {
 
 void People::decide_walk(Walking& walking, double now_s) {
   if (walking.done || (!walking.walker.present() && !appear(walking, now_s))) return;
-  if (walking.walker.held_up_s() > kPatienceS) yield(walking, now_s);
+  if (walking.walker.held_up_s() > kPatience_s) yield(walking, now_s);
   if (walking.walker.arrived()) {
     if (!walking.yielding) {
-      end_of_way(walking);
-    } else if (now_s - walking.yielded_at_s > kYieldS) {
+      end_of_path(walking);
+    } else if (now_s - walking.yielded_at_s > kYield_s) {
       walking.yielding = false;
       walking.walker.go(walking.after, walking.speed_m_s, walking.after_doors);
     }
@@ -173,10 +173,10 @@ void People::decide_walk(Walking& walking, double now_s) {
 bool People::appear(Walking& walking, double now_s) {
   const Point2& from = walking.way.front();
   if (now_s < walking.from_s) return false;
-  if (distance_m(from, {around_.robot.x_m, around_.robot.y_m}) < kAppearM) return false;
+  if (distance_m(from, {around_.robot.x_m, around_.robot.y_m}) < kAppear_m) return false;
   for (std::size_t slot = 0; slot < slots_.size(); ++slot) {
     const Walker* other = walker_of(slot);
-    if (other->present() && distance_m(from, other->at()) < kFreeToAppearM) return false;
+    if (other->present() && distance_m(from, other->at()) < kFreeToAppear_m) return false;
   }
   const Point2& next = walking.way[1];
   walking.walker.appear({from.x_m, from.y_m, std::atan2(next.y_m - from.y_m, next.x_m - from.x_m)},
@@ -185,7 +185,7 @@ bool People::appear(Walking& walking, double now_s) {
   return true;
 }
 
-void People::end_of_way(Walking& walking) {
+void People::end_of_path(Walking& walking) {
   Walker& walker = walking.walker;
   if (walking.leaving) {
     walker.vanish();
@@ -193,7 +193,7 @@ void People::end_of_way(Walking& walking) {
   } else if (walking.repeat) {
     std::reverse(walking.way.begin(), walking.way.end());
     walker.go(walking.way, walking.speed_m_s);
-  } else if (auto out = way_out(walker.at(), doors_, map_, kDoorWithinM)) {
+  } else if (auto out = way_out(walker.at(), doors_, map_, kDoorWithin_m)) {
     walking.leaving = true;
     walking.after_doors = {out->door};
     walker.go(std::move(out->way), walking.speed_m_s, walking.after_doors);
@@ -210,14 +210,14 @@ void People::yield(Walking& walking, double now_s) {
   const Point2 here = walker.at();
   const Pose2 robot = plan_.along(around_.robot);
   const Pose2 me = plan_.along({here.x_m, here.y_m, 0.0});
-  if (!walking.yielding) walking.after = walker.rest_of_way();
+  if (!walking.yielding) walking.after = walker.rest_of_path();
   if (walking.after.size() < 2) return;
   const double away = me.x_m >= robot.x_m ? 1.0 : -1.0;
   for (const double back : {2.5, 1.5, 0.8}) {
     for (const double left : {0.8, -0.8, 0.5, -0.5}) {
       const Pose2 pose = plan_.at(me.x_m + away * back, me.y_m >= 0.0 ? left : -left);
-      if (map_.at({pose.x_m, pose.y_m}) < kRoomM) continue;
-      auto way = map_.way(here, {pose.x_m, pose.y_m}, kRoomM);
+      if (map_.at({pose.x_m, pose.y_m}) < kRoom_m) continue;
+      auto way = map_.way(here, {pose.x_m, pose.y_m}, kRoom_m);
       if (!way) continue;
       walking.yielding = true;
       walking.yielded_at_s = now_s;

@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "platform/simulator/physics.hpp"
-#include "platform/simulator/stepper.hpp"
-#include "platform/simulator/walker.hpp"
+#include "striate/platform/simulator/physics.hpp"
+#include "striate/platform/simulator/stepper.hpp"
+#include "striate/platform/simulator/walker.hpp"
 
 namespace striate::simulator {
 
@@ -56,7 +56,7 @@ class People {
   void decide(double now_s);
   void decide_walk(Walking& walking, double now_s);
   [[nodiscard]] bool appear(Walking& walking, double now_s);
-  void end_of_way(Walking& walking);
+  void end_of_path(Walking& walking);
   void yield(Walking& walking, double now_s);
   void look_round(const RobotMotion& robot);
   void see_others(std::size_t slot);
@@ -67,7 +67,7 @@ class People {
   FloorPlan plan_;
   ClearanceMap map_;
   std::vector<Doorway> doors_;
-  Place place_;
+  RobotNearby place_;
   std::vector<Walking> walks_;
   std::vector<Stepper> steppers_;
   std::vector<Walker> standers_;

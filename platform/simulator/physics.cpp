@@ -1,4 +1,4 @@
-#include "platform/simulator/physics.hpp"
+#include "striate/platform/simulator/physics.hpp"
 
 #include <box2d/box2d.h>
 #include <fmt/format.h>
@@ -6,9 +6,9 @@
 #include <cmath>
 #include <limits>
 
-#include "platform/simulator/low_shapes.hpp"
-#include "platform/simulator/obstacle_shapes.hpp"
-#include "platform/simulator/static_shapes.hpp"
+#include "striate/platform/simulator/low_shapes.hpp"
+#include "striate/platform/simulator/obstacle_shapes.hpp"
+#include "striate/platform/simulator/static_shapes.hpp"
 
 namespace striate::simulator {
 namespace {
@@ -24,13 +24,13 @@ constexpr float kFriction = 0.3F;
 /// kg: a P3-DX of 9 kg, three batteries, mast, cameras and computer (ours).
 constexpr float kMassKg = 25.0F;
 /// kg m2: that mass as a disc of 0.35 m radius; the mast's foot is narrow, the base is not (ours).
-constexpr float kInertiaKgM2 = 1.5F;
+constexpr float kInertia_kg_m2 = 1.5F;
 /// Faster than this a thing moves: below a person's shifting of weight, above rounding (ours).
-constexpr float kMovesM_s = 0.05F;
+constexpr float kMoves_m_s = 0.05F;
 /// Box2D keeps 1 cm of skin round polygons; so thin, touching means touching to 2 mm.
-constexpr float kSkinM = 0.001F;
+constexpr float kSkin_m = 0.001F;
 /// What the range finders see of a person: legs, not arms.
-constexpr double kLegsRadiusM = 0.17;
+constexpr double kLegsRadius_m = 0.17;
 
 b2Vec2 vec(Point2 p) {
   return {static_cast<float>(p.x_m), static_cast<float>(p.y_m)};
@@ -76,13 +76,13 @@ struct Physics::Parts {
       def.shape = &circle;
     } else if (shape.corners.size() == 2) {
       edge.SetTwoSided(vec(shape.corners[0]), vec(shape.corners[1]));
-      edge.m_radius = kSkinM;
+      edge.m_radius = kSkin_m;
       def.shape = &edge;
     } else {
       std::vector<b2Vec2> corners;
       for (const Point2& corner : shape.corners) corners.push_back(vec(corner));
       polygon.Set(corners.data(), static_cast<int>(corners.size()));
-      polygon.m_radius = kSkinM;
+      polygon.m_radius = kSkin_m;
       def.shape = &polygon;
     }
     body->CreateFixture(&def);
@@ -114,7 +114,7 @@ Physics::Physics(const World& world, const FloorPlan& plan, const RobotDescripti
   for (std::size_t i = 0; i < people; ++i) {
     b2Body* body = parts_->add_body(b2_kinematicBody, fmt::format("person_{}", i + 1), {});
     parts_->add_fixture(body, disc({}, kPersonRadius_m), kTouchable, kRobot);
-    parts_->add_fixture(body, disc({}, kLegsRadiusM), kSeen, 0);
+    parts_->add_fixture(body, disc({}, kLegsRadius_m), kSeen, 0);
     body->SetEnabled(false);
     parts_->people.push_back(body);
   }
@@ -124,7 +124,7 @@ Physics::Physics(const World& world, const FloorPlan& plan, const RobotDescripti
   b2MassData mass;
   mass.mass = kMassKg;
   mass.center.SetZero();
-  mass.I = kInertiaKgM2;
+  mass.I = kInertia_kg_m2;
   parts_->robot->SetMassData(&mass);
 }
 
@@ -175,7 +175,7 @@ std::vector<Touch> Physics::touches() const {
     if (!edge->contact->IsTouching()) continue;
     b2Body* other = edge->other;
     touches.push_back({parts_->names[other->GetUserData().pointer],
-                       other->GetLinearVelocity().Length() > kMovesM_s});
+                       other->GetLinearVelocity().Length() > kMoves_m_s});
   }
   return touches;
 }

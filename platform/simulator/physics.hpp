@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "platform/interface/robot.hpp"
-#include "platform/simulator/scene.hpp"
+#include "striate/platform/interface/robot.hpp"
+#include "striate/platform/simulator/scene.hpp"
 
 namespace striate::simulator {
 

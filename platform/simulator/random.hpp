@@ -12,7 +12,7 @@ enum class Purpose : std::uint64_t {
   odometry,
   sonar,
   laser,
-  picture_loss,
+  image_loss,
   command_loss,
   walk,
   step_in_front,

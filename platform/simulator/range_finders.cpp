@@ -1,18 +1,18 @@
-#include "platform/simulator/range_finders.hpp"
+#include "striate/platform/simulator/range_finders.hpp"
 
 #include <cmath>
 #include <limits>
 
-#include "platform/interface/seen_from_axle.hpp"
+#include "striate/platform/interface/seen_from_axle.hpp"
 
 namespace striate::simulator {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();  // m: no echo
-constexpr double kFirePeriodS = 0.040;  // one disc of an array each; P3-DX, SONARCYCLE's default
+constexpr double kFirePeriod_s = 0.040;  // one disc of an array each; P3-DX, SONARCYCLE's default
 constexpr int kRaysPerBeam =
     7;  // 4 deg apart in a beam of 25: a chair's leg, 26 mm, is not missed up to 0.35 m
-constexpr double kSonarNearestM = 0.10;  // nearest that a disc of a P3-DX tells
+constexpr double kSonarNearest_m = 0.10;  // nearest that a disc of a P3-DX tells
 /// A wall sends sound back where it stands square to the beam within 25 deg; edges, cloth and
 /// cardboard scatter it within 70 deg.
 const double kCosSmooth = std::cos(radians(25.0));
@@ -20,6 +20,13 @@ const double kCosSmooth = std::cos(radians(25.0));
 const double kCosRough = std::cos(radians(70.0));
 /// Each array's discs fire far from the one before, against echoes of the neighbour.
 constexpr std::array<std::size_t, 8> kOrder{0, 5, 1, 4, 2, 7, 3, 6};
+/// Standard deviation of an echo: 4 mm and 0.5 % of the way, as the speed of sound changes with
+/// some degrees of temperature (ours).
+constexpr double kEchoNoise_m = 0.004;
+/// Share of the way that an echo errs by, see kEchoNoise_m.
+constexpr double kEchoNoiseShare = 0.005;
+/// Nearest that a URG-04LX tells (DMIN of its PP reply, 20 mm).
+constexpr double kLaserNearest_m = 0.02;
 
 /// The Pioneer's place, moved as far as the outline's ends are.
 Pose2 mounted(const Pose2& place, const RobotDescription& robot) {
@@ -39,7 +46,7 @@ std::array<Pose2, kSonarDiscs> sonar_mounts(const RobotDescription& robot) {
 }
 
 std::array<std::size_t, 2> discs_fired_at(TimePoint stamp) {
-  const auto fired = static_cast<std::size_t>(to_seconds(stamp) / kFirePeriodS + 1e-6);
+  const auto fired = static_cast<std::size_t>(to_seconds(stamp) / kFirePeriod_s + 1e-6);
   const std::size_t disc = kOrder[fired % kOrder.size()];
   return {disc, 8 + disc};
 }
@@ -54,7 +61,7 @@ Sonar::Sonar(std::uint64_t seed, const SensorSettings& settings, const RobotDesc
 }
 
 void Sonar::step(double now_s, const Physics& physics) {
-  while (static_cast<double>(fired_) * kFirePeriodS <= now_s + 1e-9) {
+  while (static_cast<double>(fired_) * kFirePeriod_s <= now_s + 1e-9) {
     const std::size_t disc = kOrder[fired_ % kOrder.size()];
     fire(disc, physics);
     fire(8 + disc, physics);
@@ -65,7 +72,7 @@ void Sonar::step(double now_s, const Physics& physics) {
 
 void Sonar::fire(std::size_t disc, const Physics& physics) {
   const Pose2& pose = mounts_[disc];
-  const Pose2 outer = to_outer(physics.robot(), pose);
+  const Pose2 outer = transform(physics.robot(), pose);
   double nearest = kInfinity;
   for (int i = 0; i < kRaysPerBeam; ++i) {
     const double offset = settings_.sonar_half_beam_rad * (2.0 * i / (kRaysPerBeam - 1) - 1.0);
@@ -75,8 +82,8 @@ void Sonar::fire(std::size_t disc, const Physics& physics) {
     nearest = std::min(nearest, hit.distance_m);
   }
   if (std::isfinite(nearest)) {
-    nearest += (kEchoNoiseM + kEchoNoiseShare * nearest) * random_.normal(16 * fired_ + disc);
-    nearest = std::max(nearest, kSonarNearestM);
+    nearest += (kEchoNoise_m + kEchoNoiseShare * nearest) * random_.normal(16 * fired_ + disc);
+    nearest = std::max(nearest, kSonarNearest_m);
   }
   scan_.readings[disc] = seen_from_axle(pose, nearest);
 }
@@ -85,7 +92,7 @@ RangeScan Laser::sweep(TimePoint now, const Physics& physics) {
   RangeScan scan;
   scan.stamp = now;
   scan.readings.reserve(181);
-  const Pose2 outer = to_outer(physics.robot(), mount_);
+  const Pose2 outer = transform(physics.robot(), mount_);
   for (int degree = -90; degree <= 90; ++degree, ++rays_) {
     const double bearing = radians(degree);
     double distance =
@@ -93,7 +100,7 @@ RangeScan Laser::sweep(TimePoint now, const Physics& physics) {
             .distance_m;
     if (std::isfinite(distance)) {
       distance =
-          std::max(kLaserNearestM, distance + settings_.laser_noise_m * random_.normal(rays_));
+          std::max(kLaserNearest_m, distance + settings_.laser_noise_m * random_.normal(rays_));
     }
     scan.readings.push_back(seen_from_axle({mount_.x_m, mount_.y_m, bearing}, distance));
   }

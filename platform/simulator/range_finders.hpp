@@ -2,11 +2,11 @@
 
 #include <array>
 
-#include "base/pioneer_devices.hpp"
-#include "platform/interface/robot.hpp"
-#include "platform/simulator/physics.hpp"
-#include "platform/simulator/random.hpp"
-#include "platform/simulator/simulator_settings.hpp"
+#include "striate/base/pioneer_devices.hpp"
+#include "striate/platform/interface/robot.hpp"
+#include "striate/platform/simulator/physics.hpp"
+#include "striate/platform/simulator/random.hpp"
+#include "striate/platform/simulator/simulator_settings.hpp"
 
 namespace striate::simulator {
 

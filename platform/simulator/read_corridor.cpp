@@ -2,9 +2,9 @@
 
 #include <cmath>
 
-#include "platform/simulator/scene.hpp"
-#include "platform/simulator/shapes.hpp"
-#include "platform/simulator/world_entry.hpp"
+#include "striate/platform/simulator/scene.hpp"
+#include "striate/platform/simulator/shapes.hpp"
+#include "striate/platform/simulator/world_entry.hpp"
 
 /// The corridor's shape: length, other widths, turns, pillars.
 namespace striate::simulator {
@@ -15,8 +15,8 @@ using config::Node;
 using config::Unit;
 
 void read_width(const Node& node, const std::string& what, World& world,
-                config::Mistakes& mistakes) {
-  WorldEntry entry(node, what, world, mistakes);
+                config::Diagnostics& diagnostics) {
+  WorldEntry entry(node, what, world, diagnostics);
   Widening other;
   entry.require_stretch(other.from_m, other.to_m);
   entry.require_length("width", other.width_m, {0.5, 50.0});
@@ -65,8 +65,8 @@ void check_turn(WorldEntry& entry, const World& world, const Turn& turn) {
   }
 }
 
-void read_turn(const Node& node, World& world, config::Mistakes& mistakes) {
-  WorldEntry entry(node, "a turn", world, mistakes);
+void read_turn(const Node& node, World& world, config::Diagnostics& diagnostics) {
+  WorldEntry entry(node, "a turn", world, diagnostics);
   Turn turn;
   entry.require_length("at", turn.at_m, {-1000.0, 1000.0});
   if (entry.map().require("angle")) {
@@ -91,8 +91,8 @@ void read_turn(const Node& node, World& world, config::Mistakes& mistakes) {
   }
 }
 
-void read_pillar(const Node& node, World& world, config::Mistakes& mistakes) {
-  WorldEntry entry(node, "a pillar", world, mistakes);
+void read_pillar(const Node& node, World& world, config::Diagnostics& diagnostics) {
+  WorldEntry entry(node, "a pillar", world, diagnostics);
   Pillar pillar;
   entry.require_point("at", pillar.at);
   entry.map().number("diameter", pillar.diameter_m, Unit::length, {0.05, 3.0});
@@ -106,20 +106,20 @@ void read_pillar(const Node& node, World& world, config::Mistakes& mistakes) {
 void read_corridor(MapReader& root, World& world) {
   if (root.require("corridor")) {
     if (const Node* node = root.raw("corridor")) {
-      WorldEntry entry(*node, "the corridor", world, root.mistakes());
+      WorldEntry entry(*node, "the corridor", world, root.diagnostics());
       entry.require_length("length", world.length_m, {3.0, 1000.0});
       entry.map().number("width", world.width_m, Unit::length, {0.8, 50.0});
       entry.map().number("height", world.height_m, Unit::length, {1.5, 20.0});
       entry.finish();
     }
   }
-  config::Mistakes& mistakes = root.mistakes();
+  config::Diagnostics& diagnostics = root.diagnostics();
   for_each_entry(root, "widenings",
-                 [&](const Node& node) { read_width(node, "a widening", world, mistakes); });
+                 [&](const Node& node) { read_width(node, "a widening", world, diagnostics); });
   for_each_entry(root, "narrowings",
-                 [&](const Node& node) { read_width(node, "a narrowing", world, mistakes); });
-  for_each_entry(root, "turns", [&](const Node& node) { read_turn(node, world, mistakes); });
-  for_each_entry(root, "pillars", [&](const Node& node) { read_pillar(node, world, mistakes); });
+                 [&](const Node& node) { read_width(node, "a narrowing", world, diagnostics); });
+  for_each_entry(root, "turns", [&](const Node& node) { read_turn(node, world, diagnostics); });
+  for_each_entry(root, "pillars", [&](const Node& node) { read_pillar(node, world, diagnostics); });
 }
 
 }  // namespace striate::simulator

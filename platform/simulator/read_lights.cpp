@@ -1,4 +1,4 @@
-#include "platform/simulator/world_entry.hpp"
+#include "striate/platform/simulator/world_entry.hpp"
 
 /// Lamps and sun.
 namespace striate::simulator {
@@ -8,8 +8,8 @@ using config::MapReader;
 using config::Node;
 using config::Unit;
 
-void read_lamps(const Node& node, World& world, config::Mistakes& mistakes) {
-  WorldEntry entry(node, "a row of lights", world, mistakes);
+void read_lamps(const Node& node, World& world, config::Diagnostics& diagnostics) {
+  WorldEntry entry(node, "a row of lights", world, diagnostics);
   LightRow row;
   entry.require_stretch(row.from_m, row.to_m);
   entry.map().number("every", row.every_m, Unit::length, {0.5, 100.0});
@@ -22,10 +22,10 @@ void read_lamps(const Node& node, World& world, config::Mistakes& mistakes) {
 
 void read_lights(MapReader& root, World& world) {
   for_each_entry(root, "lights",
-                 [&](const Node& node) { read_lamps(node, world, root.mistakes()); });
+                 [&](const Node& node) { read_lamps(node, world, root.diagnostics()); });
   const Node* node = root.raw("sun");
   if (node == nullptr) return;
-  WorldEntry entry(*node, "the sun", world, root.mistakes());
+  WorldEntry entry(*node, "the sun", world, root.diagnostics());
   Sun sun;
   sun.level = 1.0;
   if (entry.map().require("azimuth")) {

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "platform/simulator/obstacle_shapes.hpp"
-#include "platform/simulator/static_shapes.hpp"
-#include "platform/simulator/world_entry.hpp"
+#include "striate/platform/simulator/obstacle_shapes.hpp"
+#include "striate/platform/simulator/static_shapes.hpp"
+#include "striate/platform/simulator/world_entry.hpp"
 
 /// People: those who walk, those who step in front of the robot, those who stand.
 namespace striate::simulator {
@@ -17,7 +17,8 @@ using config::Node;
 using config::Unit;
 
 /// A list of points: [[40 m, 0.3 m], [5 m, 0.3 m]].
-std::vector<Point2> read_points(WorldEntry& entry, const Node& list, config::Mistakes& mistakes) {
+std::vector<Point2> read_points(WorldEntry& entry, const Node& list,
+                                config::Diagnostics& diagnostics) {
   std::vector<Point2> points;
   if (list.kind != Node::Kind::list || list.items.size() < 2) {
     entry.add("walk", "a walk is a list of two points or more",
@@ -26,13 +27,13 @@ std::vector<Point2> read_points(WorldEntry& entry, const Node& list, config::Mis
   }
   for (const Node& item : list.items) {
     if (item.kind != Node::Kind::list || item.items.size() != 2) {
-      mistakes.add(item.place, "a point is a list of two lengths, not " + item.describe(),
-                   "write [40 m, 0.3 m]");
+      diagnostics.add(item.place, "a point is a list of two lengths, not " + item.describe(),
+                      "write [40 m, 0.3 m]");
       continue;
     }
     const config::Range range{-1000.0, 1000.0};
-    const auto x = config::read_quantity(item.items[0], Unit::length, range, mistakes);
-    const auto y = config::read_quantity(item.items[1], Unit::length, range, mistakes);
+    const auto x = config::read_quantity(item.items[0], Unit::length, range, diagnostics);
+    const auto y = config::read_quantity(item.items[1], Unit::length, range, diagnostics);
     if (x && y) points.push_back({*x, *y});
   }
   return points;
@@ -74,9 +75,10 @@ void move_to_free(WorldEntry& entry, const World& world, const std::string& key,
       fmt::format("a person needs {} to either side", metres(kPersonRadius_m)));
 }
 
-void read_walk(WorldEntry& entry, const Node& list, World& world, config::Mistakes& mistakes) {
+void read_walk(WorldEntry& entry, const Node& list, World& world,
+               config::Diagnostics& diagnostics) {
   Walk walk;
-  walk.points = read_points(entry, list, mistakes);
+  walk.points = read_points(entry, list, diagnostics);
   entry.map().number("speed", walk.speed_m_s, Unit::speed, {0.05, 3.0});
   entry.map().number("from", walk.from_s, Unit::duration, {0.0, 36000.0});
   entry.map().flag("repeat", walk.repeat);
@@ -103,26 +105,26 @@ void read_stander(WorldEntry& entry, World& world) {
   if (entry.sound()) world.standers.push_back(stander);
 }
 
-void read_person(const Node& node, World& world, config::Mistakes& mistakes) {
-  WorldEntry entry(node, "a person", world, mistakes);
+void read_person(const Node& node, World& world, config::Diagnostics& diagnostics) {
+  WorldEntry entry(node, "a person", world, diagnostics);
   if (node.kind != Node::Kind::map) return;
   const Node* walk = entry.map().raw("walk");
   const Node* step = entry.map().raw("step_in_front");
   const Node* stand = entry.map().raw("stand");
   const int ways = (walk != nullptr) + (step != nullptr) + (stand != nullptr);
   if (ways > 1) {
-    mistakes.add(node.place, "a person does one thing: walk, step_in_front, or stand",
-                 "make an entry of its own for each");
+    diagnostics.add(node.place, "a person does one thing: walk, step_in_front, or stand",
+                    "make an entry of its own for each");
   } else if (walk != nullptr) {
-    read_walk(entry, *walk, world, mistakes);
+    read_walk(entry, *walk, world, diagnostics);
   } else if (step != nullptr) {
     read_step_in_front(entry, world);
   } else if (stand != nullptr) {
     read_stander(entry, world);
   } else {
     for (const char* key : {"speed", "from", "repeat", "wait", "heading"}) entry.map().raw(key);
-    mistakes.add(node.place, "what does this person do?",
-                 "write walk: [[x, y], ...], step_in_front: 2 per min, or stand: [x, y]");
+    diagnostics.add(node.place, "what does this person do?",
+                    "write walk: [[x, y], ...], step_in_front: 2 per min, or stand: [x, y]");
     entry.finish();
   }
 }
@@ -131,7 +133,7 @@ void read_person(const Node& node, World& world, config::Mistakes& mistakes) {
 
 void read_people(MapReader& root, World& world) {
   for_each_entry(root, "people",
-                 [&](const Node& node) { read_person(node, world, root.mistakes()); });
+                 [&](const Node& node) { read_person(node, world, root.diagnostics()); });
 }
 
 }  // namespace striate::simulator

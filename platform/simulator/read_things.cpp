@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "platform/simulator/static_shapes.hpp"
-#include "platform/simulator/world_entry.hpp"
-#include "platform/simulator/world_names.hpp"
+#include "striate/platform/simulator/static_shapes.hpp"
+#include "striate/platform/simulator/world_entry.hpp"
+#include "striate/platform/simulator/world_names.hpp"
 
 /// Obstacles and the objects that can be taught and sought.
 namespace striate::simulator {
@@ -15,7 +15,7 @@ using config::MapReader;
 using config::Node;
 using config::Unit;
 
-/// Things may wear pictures and surfaces alike.
+/// Things may wear images and surfaces alike.
 std::vector<std::string> all_names() {
   std::vector<std::string> names = picture_names();
   for (std::string& name : surface_names()) names.push_back(std::move(name));
@@ -41,8 +41,8 @@ void check_between_walls(WorldEntry& entry, const World& world, const WorldObsta
   }
 }
 
-void read_obstacle(const Node& node, World& world, config::Mistakes& mistakes) {
-  WorldEntry entry(node, "an obstacle", world, mistakes);
+void read_obstacle(const Node& node, World& world, config::Diagnostics& diagnostics) {
+  WorldEntry entry(node, "an obstacle", world, diagnostics);
   WorldObstacle obstacle;
   int kind = 0;
   if (entry.map().require("kind")) entry.map().choice("kind", kind, obstacle_kinds());
@@ -74,8 +74,8 @@ void read_obstacle(const Node& node, World& world, config::Mistakes& mistakes) {
   if (entry.sound()) world.obstacles.push_back(obstacle);
 }
 
-void read_object(const Node& node, World& world, config::Mistakes& mistakes) {
-  WorldEntry entry(node, "an object", world, mistakes);
+void read_object(const Node& node, World& world, config::Diagnostics& diagnostics) {
+  WorldEntry entry(node, "an object", world, diagnostics);
   WorldObject object;
   int kind = 0;
   if (entry.map().require("kind")) entry.map().choice("kind", kind, object_kinds());
@@ -107,10 +107,10 @@ void read_object(const Node& node, World& world, config::Mistakes& mistakes) {
 }  // namespace
 
 void read_things(MapReader& root, World& world) {
-  config::Mistakes& mistakes = root.mistakes();
+  config::Diagnostics& diagnostics = root.diagnostics();
   for_each_entry(root, "obstacles",
-                 [&](const Node& node) { read_obstacle(node, world, mistakes); });
-  for_each_entry(root, "objects", [&](const Node& node) { read_object(node, world, mistakes); });
+                 [&](const Node& node) { read_obstacle(node, world, diagnostics); });
+  for_each_entry(root, "objects", [&](const Node& node) { read_object(node, world, diagnostics); });
 }
 
 }  // namespace striate::simulator

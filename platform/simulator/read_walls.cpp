@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "platform/simulator/world_entry.hpp"
-#include "platform/simulator/world_names.hpp"
+#include "striate/platform/simulator/world_entry.hpp"
+#include "striate/platform/simulator/world_names.hpp"
 
 /// What the walls are made of and what is in and on them.
 namespace striate::simulator {
@@ -13,8 +13,8 @@ using config::MapReader;
 using config::Node;
 using config::Unit;
 
-void read_stretch(const Node& node, World& world, config::Mistakes& mistakes) {
-  WorldEntry entry(node, "a wall", world, mistakes);
+void read_stretch(const Node& node, World& world, config::Diagnostics& diagnostics) {
+  WorldEntry entry(node, "a wall", world, diagnostics);
   WallStretch wall;
   entry.require_side(wall.side);
   entry.require_stretch(wall.from_m, wall.to_m);
@@ -45,8 +45,8 @@ void check_on_one_wall(WorldEntry& entry, const World& world, const std::string&
   }
 }
 
-void read_door(const Node& node, World& world, config::Mistakes& mistakes) {
-  WorldEntry entry(node, "a door", world, mistakes);
+void read_door(const Node& node, World& world, config::Diagnostics& diagnostics) {
+  WorldEntry entry(node, "a door", world, diagnostics);
   Door door;
   entry.require_side(door.side);
   entry.require_length("at", door.at_m, {-1000.0, 1000.0});
@@ -68,8 +68,8 @@ void read_door(const Node& node, World& world, config::Mistakes& mistakes) {
 }
 
 /// A window of the row that would meet a door, a step of the wall or a bend is left out.
-void read_window(const Node& node, World& world, config::Mistakes& mistakes) {
-  WorldEntry entry(node, "a row of windows", world, mistakes);
+void read_window(const Node& node, World& world, config::Diagnostics& diagnostics) {
+  WorldEntry entry(node, "a row of windows", world, diagnostics);
   WindowRow row;
   entry.require_side(row.side);
   entry.require_stretch(row.from_m, row.to_m);
@@ -77,8 +77,8 @@ void read_window(const Node& node, World& world, config::Mistakes& mistakes) {
   if (entry.sound()) world.windows.push_back(row);
 }
 
-void read_poster(const Node& node, World& world, config::Mistakes& mistakes) {
-  WorldEntry entry(node, "a poster", world, mistakes);
+void read_poster(const Node& node, World& world, config::Diagnostics& diagnostics) {
+  WorldEntry entry(node, "a poster", world, diagnostics);
   Poster poster;
   entry.require_side(poster.side);
   entry.require_length("at", poster.at_m, {-1000.0, 1000.0});
@@ -105,20 +105,20 @@ void read_poster(const Node& node, World& world, config::Mistakes& mistakes) {
 void read_surface(MapReader& root, const std::string& key, std::string& material,
                   const World& world) {
   if (!root.text(key, material)) return;
-  WorldEntry entry(root.node(), "the world", world, root.mistakes());
+  WorldEntry entry(root.node(), "the world", world, root.diagnostics());
   entry.check_image(key, material, surface_names());
 }
 
 }  // namespace
 
 void read_walls(MapReader& root, World& world) {
-  config::Mistakes& mistakes = root.mistakes();
+  config::Diagnostics& diagnostics = root.diagnostics();
   read_surface(root, "wall_material", world.wall_material, world);
   read_surface(root, "floor_material", world.floor_material, world);
-  for_each_entry(root, "walls", [&](const Node& node) { read_stretch(node, world, mistakes); });
-  for_each_entry(root, "doors", [&](const Node& node) { read_door(node, world, mistakes); });
-  for_each_entry(root, "windows", [&](const Node& node) { read_window(node, world, mistakes); });
-  for_each_entry(root, "posters", [&](const Node& node) { read_poster(node, world, mistakes); });
+  for_each_entry(root, "walls", [&](const Node& node) { read_stretch(node, world, diagnostics); });
+  for_each_entry(root, "doors", [&](const Node& node) { read_door(node, world, diagnostics); });
+  for_each_entry(root, "windows", [&](const Node& node) { read_window(node, world, diagnostics); });
+  for_each_entry(root, "posters", [&](const Node& node) { read_poster(node, world, diagnostics); });
 }
 
 }  // namespace striate::simulator

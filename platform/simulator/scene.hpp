@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "platform/interface/senses.hpp"
-#include "platform/simulator/world.hpp"
+#include "striate/platform/interface/senses.hpp"
+#include "striate/platform/simulator/world.hpp"
 
 /// What renderer, physics and judge share: the flat floor plan and where everybody stands now.
 namespace striate::simulator {
@@ -55,7 +55,7 @@ struct SceneState {
   HeadPose head;  ///< true
   std::vector<PersonState> people;
   std::vector<std::size_t> absent;  ///< obstacles of the world that are not there yet
-  std::uint64_t frame = 0;          ///< counts pictures: noise of frame n is always the same
+  std::uint64_t frame = 0;          ///< counts images: noise of frame n is always the same
 };
 
 }  // namespace striate::simulator

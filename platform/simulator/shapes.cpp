@@ -1,4 +1,4 @@
-#include "platform/simulator/shapes.hpp"
+#include "striate/platform/simulator/shapes.hpp"
 
 #include <algorithm>
 #include <cmath>

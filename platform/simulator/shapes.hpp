@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "base/geometry.hpp"
-#include "platform/interface/robot.hpp"
+#include "striate/base/geometry.hpp"
+#include "striate/platform/interface/robot.hpp"
 
 /// Flat convex shapes and the exact distance between them: who stands where, and how near.
 namespace striate::simulator {

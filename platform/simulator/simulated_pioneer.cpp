@@ -1,21 +1,21 @@
-#include "platform/simulator/simulated_pioneer.hpp"
+#include "striate/platform/simulator/simulated_pioneer.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "platform/simulator/camera_link.hpp"
-#include "platform/simulator/dead_reckoning.hpp"
-#include "platform/simulator/drive.hpp"
-#include "platform/simulator/late_obstacles.hpp"
-#include "platform/simulator/people.hpp"
-#include "platform/simulator/physics.hpp"
-#include "platform/simulator/range_finders.hpp"
-#include "platform/simulator/turret.hpp"
+#include "striate/platform/simulator/camera_link.hpp"
+#include "striate/platform/simulator/dead_reckoning.hpp"
+#include "striate/platform/simulator/drive.hpp"
+#include "striate/platform/simulator/late_obstacles.hpp"
+#include "striate/platform/simulator/people.hpp"
+#include "striate/platform/simulator/physics.hpp"
+#include "striate/platform/simulator/range_finders.hpp"
+#include "striate/platform/simulator/turret.hpp"
 
 namespace striate::simulator {
 namespace {
 
-constexpr double kStepS = 0.010;  // ten steps a SIP cycle; at 0.75 m/s a step is 7.5 mm
+constexpr double kStep_s = 0.010;  // ten steps a SIP cycle; at 0.75 m/s a step is 7.5 mm
 
 class SimulatedClock : public Clock {
  public:
@@ -43,10 +43,10 @@ Pose2 true_start(const World& world, const FloorPlan& plan, const BaseSettings& 
 
 struct SimulatedPioneer::Parts {
   Parts(const World& world_in, std::uint64_t seed, const SimulatorSettings& settings_in,
-        PictureSource* pictures_in, const RobotDescription& robot_in)
+        ImageSource* images_in, const RobotDescription& robot_in)
       : robot(robot_in),
         settings(settings_in),
-        pictures(pictures_in),
+        pictures(images_in),
         world(world_in),
         plan(build_floor_plan(world_in)),
         late(world_in, plan),
@@ -71,7 +71,7 @@ struct SimulatedPioneer::Parts {
 
   RobotDescription robot;
   SimulatorSettings settings;
-  PictureSource* pictures;
+  ImageSource* pictures;
   World world;
   FloorPlan plan;
   LateObstacles late;
@@ -93,15 +93,15 @@ struct SimulatedPioneer::Parts {
 
 void SimulatedPioneer::Parts::step() {
   const double before_s = now_s();
-  clock.advance(from_seconds(kStepS));
+  clock.advance(from_seconds(kStep_s));
   put_down_obstacles();
-  drive.step(before_s, kStepS, physics.forward_m_s(), physics.turn_rad_s());
-  turret.step(kStepS, drive.in_force().pan_rad, drive.in_force().tilt_rad);
-  people.step(now_s(), kStepS, {physics.robot(), physics.forward_m_s(), physics.turn_rad_s()});
-  physics.step(kStepS, drive.forward_m_s(), drive.turn_rad_s(), people.bodies());
+  drive.step(before_s, kStep_s, physics.forward_m_s(), physics.turn_rad_s());
+  turret.step(kStep_s, drive.in_force().pan_rad, drive.in_force().tilt_rad);
+  people.step(now_s(), kStep_s, {physics.robot(), physics.forward_m_s(), physics.turn_rad_s()});
+  physics.step(kStep_s, drive.forward_m_s(), drive.turn_rad_s(), people.bodies());
   // The encoders sit on the wheels, which a thing in the way holds back as it holds the base.
-  odometry.step(kStepS, physics.forward_m_s(), physics.turn_rad_s());
-  driven_m += std::abs(physics.forward_m_s()) * kStepS;
+  odometry.step(kStep_s, physics.forward_m_s(), physics.turn_rad_s());
+  driven_m += std::abs(physics.forward_m_s()) * kStep_s;
   sonar.step(now_s(), physics);
   judge.look(now_s(), physics, people, pictures);
   if (camera.due(now_s())) expose();
@@ -118,9 +118,9 @@ void SimulatedPioneer::Parts::put_down_obstacles() {
 
 void SimulatedPioneer::Parts::expose() {
   if (pictures == nullptr) return;
-  StereoFrame picture = pictures->picture(scene());
-  picture.head = turret.reported();
-  camera.take(std::move(picture), now_s());
+  StereoFrame image = pictures->image(scene());
+  image.head = turret.reported();
+  camera.take(std::move(image), now_s());
 }
 
 SceneState SimulatedPioneer::Parts::scene() const {
@@ -153,7 +153,7 @@ void SimulatedPioneer::Parts::fill(Senses& senses) {
 }
 
 SimulatedPioneer::SimulatedPioneer(const World& world, std::uint64_t seed,
-                                   const SimulatorSettings& settings, PictureSource* pictures,
+                                   const SimulatorSettings& settings, ImageSource* pictures,
                                    const RobotDescription& robot)
     : parts_(std::make_unique<Parts>(world, seed, settings, pictures, robot)) {}
 

@@ -3,11 +3,11 @@
 #include <cstdint>
 #include <memory>
 
-#include "platform/interface/robot.hpp"
-#include "platform/simulator/judge.hpp"
-#include "platform/simulator/picture_source.hpp"
-#include "platform/simulator/simulator_settings.hpp"
-#include "platform/simulator/world.hpp"
+#include "striate/platform/interface/robot.hpp"
+#include "striate/platform/simulator/image_source.hpp"
+#include "striate/platform/simulator/judge.hpp"
+#include "striate/platform/simulator/simulator_settings.hpp"
+#include "striate/platform/simulator/world.hpp"
 
 namespace striate::simulator {
 
@@ -17,9 +17,9 @@ namespace striate::simulator {
 /// in threads of one program.
 class SimulatedPioneer : public Robot {
  public:
-  /// `pictures` may be null: then no picture ever comes. It must outlive the robot.
+  /// `images` may be null: then no image ever comes. It must outlive the robot.
   SimulatedPioneer(const World& world, std::uint64_t seed, const SimulatorSettings& settings,
-                   PictureSource* pictures, const RobotDescription& robot = {});
+                   ImageSource* pictures, const RobotDescription& robot = {});
   ~SimulatedPioneer() override;
 
   [[nodiscard]] const RobotDescription& description() const override;
@@ -33,7 +33,7 @@ class SimulatedPioneer : public Robot {
 
   /// The truth, for judging alone.
   [[nodiscard]] const Judge& judge() const;
-  /// Everything that moves, as it is now: for pictures of the run.
+  /// Everything that moves, as it is now: for images of the run.
   [[nodiscard]] SceneState scene() const;
   [[nodiscard]] const FloorPlan& plan() const;
 

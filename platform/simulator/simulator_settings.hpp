@@ -1,20 +1,20 @@
 #pragma once
 
-#include "base/limits.hpp"
-#include "config/settings.hpp"
+#include "striate/base/limits.hpp"
+#include "striate/config/settings.hpp"
 
 namespace striate::simulator {
 
 /// How the base moves, and what the body's own watchdog does.
 struct BaseSettings {
   double command_latency_s = 0.06;  ///< from send() to the wheels
-  double watchdog_s =  ///< without a command for this long the wheels stop
-      to_seconds(kCommandLease);  ///< without a command for this long the wheels stop
-  double stall_after_s = 0.2;  ///< of pushing against something
-  double start_offset_m = 0.03;  ///< deviation of the true start from the world's, each axis
+  double watchdog_s =               ///< without a command for this long the wheels stop
+      to_seconds(kCommandLease);    ///< without a command for this long the wheels stop
+  double stall_after_s = 0.2;       ///< of pushing against something
+  double start_offset_m = 0.03;     ///< deviation of the true start from the world's, each axis
   double start_turn_rad = 0.035;  ///< 2 deg, deviation of the first heading: placed by hand (ours)
   double battery_start_v = kFullBattery_v;  ///< full lead batteries at rest, 2.12 V a cell
-  double battery_drop_v_per_h = 0.6;  ///< standing; driving takes as much again per 300 m
+  double battery_drop_v_per_h = 0.6;        ///< standing; driving takes as much again per 300 m
 };
 
 template <class V>
@@ -48,8 +48,8 @@ struct SensorSettings {
   /// Deviation of a reading; URG-04LX data sheet: 10 mm up to 1 m
   double laser_noise_m = 0.01;
   double servo_speed_rad_s = 2.0;   ///< a third of an AX-12A's 6.2 rad/s without load
-  double camera_period_s = 0.1;     ///< a picture each cycle of the paper's 10 Hz
-  double camera_latency_s = 0.085;  ///< from light to picture, as a real stereo head has
+  double camera_period_s = 0.1;     ///< an image each cycle of the paper's 10 Hz
+  double camera_latency_s = 0.085;  ///< from light to image, as a real stereo head has
 };
 
 template <class V>
@@ -67,16 +67,15 @@ void visit(V& v, SensorSettings& s) {
   v.number("laser_noise", s.laser_noise_m, Unit::length, {0.0, 0.2}, "deviation of a reading");
   v.number("servo_speed", s.servo_speed_rad_s, Unit::turn_rate, {0.05, 20.0}, "of pan and tilt");
   v.number("camera_period", s.camera_period_s, Unit::duration, {0.02, 2.0},
-           "from one picture to the next");
-  v.number("camera_latency", s.camera_latency_s, Unit::duration, {0.0, 2.0},
-           "from light to picture");
+           "from one image to the next");
+  v.number("camera_latency", s.camera_latency_s, Unit::duration, {0.0, 2.0}, "from light to image");
 }
 
 /// What breaks on purpose. 0 s: never.
 struct FaultSettings {
   double camera_stops_at_s = 0.0;    ///< no fault unless asked for
   double camera_returns_at_s = 0.0;  ///< no fault unless asked for
-  double picture_loss = 0.0;         ///< share of pictures that never come
+  double image_loss = 0.0;           ///< share of images that never come
   double command_loss = 0.0;         ///< share of commands that never come
   double link_stops_at_s = 0.0;      ///< no fault unless asked for
 };
@@ -85,10 +84,11 @@ template <class V>
 void visit(V& v, FaultSettings& s) {
   using config::Unit;
   v.number("camera_stops_at", s.camera_stops_at_s, Unit::duration, {0.0, 36000.0},
-           "no new picture from then on; 0 s: never");
+           "no new image from then on; 0 s: never");
   v.number("camera_returns_at", s.camera_returns_at_s, Unit::duration, {0.0, 36000.0},
-           "pictures come again; 0 s: never");
-  v.number("picture_loss", s.picture_loss, Unit::fraction, {0.0, 1.0}, "share of lost pictures");
+           "images come again; 0 s: never");
+  v.renamed("picture_loss", "image_loss");
+  v.number("image_loss", s.image_loss, Unit::fraction, {0.0, 1.0}, "share of lost images");
   v.number("command_loss", s.command_loss, Unit::fraction, {0.0, 1.0}, "share of lost commands");
   v.number("link_stops_at", s.link_stops_at_s, Unit::duration, {0.0, 36000.0},
            "no command arrives from then on; 0 s: never");

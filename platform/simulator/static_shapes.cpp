@@ -1,11 +1,11 @@
-#include "platform/simulator/static_shapes.hpp"
+#include "striate/platform/simulator/static_shapes.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "platform/simulator/obstacle_shapes.hpp"
+#include "striate/platform/simulator/obstacle_shapes.hpp"
 
 namespace striate::simulator {
 namespace {
@@ -72,7 +72,7 @@ std::vector<Point2> plan_path(const World& world, const FloorPlan& plan,
         const double left = from.y_m + t * (to.y_m - from.y_m);
         const Pose2 bend = plan.at(turn.at_m, left);  // still in the frame of the leg before
         const double mitre = left * std::tan(turn.angle_rad / 2);
-        bends.emplace_back(t, to_outer(bend, Pose2{-mitre, 0.0, 0.0}));
+        bends.emplace_back(t, transform(bend, Pose2{-mitre, 0.0, 0.0}));
       }
       std::sort(bends.begin(), bends.end(),
                 [](const auto& a, const auto& b) { return a.first < b.first; });

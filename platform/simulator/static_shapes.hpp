@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "platform/simulator/scene.hpp"
-#include "platform/simulator/shapes.hpp"
+#include "striate/platform/simulator/scene.hpp"
+#include "striate/platform/simulator/shapes.hpp"
 
 namespace striate::simulator {
 

@@ -1,13 +1,13 @@
 #pragma once
 
-#include "platform/simulator/doorways.hpp"
-#include "platform/simulator/random.hpp"
-#include "platform/simulator/walker.hpp"
+#include "striate/platform/simulator/doorways.hpp"
+#include "striate/platform/simulator/random.hpp"
+#include "striate/platform/simulator/walker.hpp"
 
 namespace striate::simulator {
 
 /// What a stepper knows of the place; lives as long as the run.
-struct Place {
+struct RobotNearby {
   const World* world = nullptr;
   const FloorPlan* plan = nullptr;
   const ClearanceMap* map = nullptr;
@@ -23,16 +23,16 @@ class Stepper {
   Stepper(const StepInFront& step, std::uint64_t seed, std::uint64_t number);
 
   /// Decides what to do next; several times a second.
-  void decide(double now_s, const Place& place, const Surroundings& around);
+  void decide(double now_s, const RobotNearby& place, const Surroundings& around);
   [[nodiscard]] Walker& walker() { return walker_; }
   [[nodiscard]] const Walker& walker() const { return walker_; }
 
  private:
   enum class Doing { nothing, coming, waiting, leaving };
-  void try_to_come(double now_s, const Place& place, const Surroundings& around);
-  [[nodiscard]] bool come_through_a_door(const Place& place, const Surroundings& around);
-  [[nodiscard]] bool come_from_ahead(const Place& place, const Surroundings& around);
-  void leave(const Place& place, const Surroundings& around);
+  void try_to_come(double now_s, const RobotNearby& place, const Surroundings& around);
+  [[nodiscard]] bool come_through_a_door(const RobotNearby& place, const Surroundings& around);
+  [[nodiscard]] bool come_from_ahead(const RobotNearby& place, const Surroundings& around);
+  void leave(const RobotNearby& place, const Surroundings& around);
   void be_gone(double now_s);
   [[nodiscard]] double draw(double low, double high) {
     return random_.between(drawn_++, low, high);

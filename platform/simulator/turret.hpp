@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/pioneer_devices.hpp"
-#include "platform/interface/robot.hpp"
+#include "striate/base/pioneer_devices.hpp"
+#include "striate/platform/interface/robot.hpp"
 
 namespace striate::simulator {
 

@@ -1,57 +1,59 @@
-#include "platform/simulator/walker.hpp"
+#include "striate/platform/simulator/walker.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 
-#include "base/stopping_speed.hpp"
-#include "platform/simulator/obstacle_shapes.hpp"
+#include "striate/base/stopping_speed.hpp"
+#include "striate/platform/simulator/obstacle_shapes.hpp"
 
 namespace striate::simulator {
 namespace {
 
 constexpr double kR = kPersonRadius_m;  ///< of a person on the floor
 /// Nearer to the robot nobody steps of his own will: a hand's breadth (ours)
-constexpr double kHandM = 0.12;
-constexpr double kComfortM = 0.32;  ///< nearer to the robot nobody likes to be (ours)
+constexpr double kHand_m = 0.12;
+constexpr double kComfort_m = 0.32;  ///< nearer to the robot nobody likes to be (ours)
 /// Likewise for other people: they give way, the robot does not (ours)
-constexpr double kFriendlyM = 0.15;
+constexpr double kFriendly_m = 0.15;
 /// How much a metre of way counts against comfort (ours)
 constexpr double kEager = 2.5;
 /// Stands within half a second from a quick walk of 1.5 m/s
 constexpr double kAcceleration_m_s2 = 3.0;
 constexpr double kTurning_rad_s = 5.0;  ///< turns round within 0.6 s
-constexpr double kLookAheadM = 1.0;     ///< on the way, for where to go: a second's walk (ours)
+constexpr double kLookAhead_m = 1.0;    ///< on the way, for where to go: a second's walk (ours)
 /// On his way, from where he makes for its side: kMoments at a walk, and the robot's own (ours)
-constexpr double kSeesRobotM = 2.5;
-/// From its middle when passing: half width, radius and most of kComfortM
-constexpr double kBesideM = 0.72;
-constexpr double kTwoStepsM = 1.4;   ///< length of a stride, both legs once: 0.7 m a step
-constexpr double kDoorReachM = 0.8;  ///< nearer to a door a walker is in it: a stride's half (ours)
+constexpr double kSeesRobot_m = 2.5;
+/// From its middle when passing: half width, radius and most of kComfort_m
+constexpr double kBeside_m = 0.72;
+constexpr double kTwoSteps_m = 1.4;  ///< length of a stride, both legs once: 0.7 m a step
+constexpr double kDoorReach_m =
+    0.8;  ///< nearer to a door a walker is in it: a stride's half (ours)
 /// Looking ahead in time, at these moments.
 constexpr std::array<double, 4> kMoments{0.3, 0.7, 1.2, 1.8};
 /// Directions tried to either side of the way; beyond 95 deg he stands rather (ours)
-constexpr std::array<double, 9> kOffsetsDeg{0, 20, -20, 40, -40, 65, -65, 95, -95};
+constexpr std::array<double, 9> kOffsets_deg{0, 20, -20, 40, -40, 65, -65, 95, -95};
 
 /// What a walker minds, against a metre of way (kEager); all ours, so that people pass each other
 /// and the robot as in a real corridor.
-constexpr double kMindsChange = 0.12;       ///< of velocity, for each m/s: gait is steady
-constexpr double kMindsTurning = 0.1;       ///< away from the way, for each rad
-constexpr double kMindsTouching = 8.0;      ///< a wall or furniture: above all else
-constexpr double kTouchesM = 0.02;          ///< room to a wall that is touching
-constexpr double kMindsWall = 0.5;          ///< for each metre nearer to a wall than kBesideWallM
-constexpr double kBesideWallM = 0.12;       ///< room to a wall that is comfortable
-constexpr double kMindsRobot = 4.0;         ///< nearly within kHandM of the robot
-constexpr double kMindsPerson = 3.0;        ///< nearly touching another person
-constexpr double kNearlyM = 0.05;           ///< a step's error
-constexpr double kMindsNearness = 2.0;      ///< for each metre nearer than comfort asks for
-constexpr double kMindsRobotWithinM = 1.2;  ///< beyond, no footprint of the robot is within comfort
-constexpr double kMayTouchWithinM = 3.0;    ///< beyond, neither robot nor its braking way is near
-constexpr double kHeldUpM_s = 0.1;          ///< slower is held up
-constexpr double kFacesM_s = 0.2;           ///< slower, he does not turn to where he goes
-constexpr double kLegsM_s = 0.05;           ///< slower, the legs come together
-constexpr double kThereM = 0.12;  ///< so near to its end a way has been walked: half a radius
+constexpr double kMindsChange = 0.12;   ///< of velocity, for each m/s: gait is steady
+constexpr double kMindsTurning = 0.1;   ///< away from the way, for each rad
+constexpr double kMindsTouching = 8.0;  ///< a wall or furniture: above all else
+constexpr double kTouches_m = 0.02;     ///< room to a wall that is touching
+constexpr double kMindsWall = 0.5;      ///< for each metre nearer to a wall than kBesideWall_m
+constexpr double kBesideWall_m = 0.12;  ///< room to a wall that is comfortable
+constexpr double kMindsRobot = 4.0;     ///< nearly within kHand_m of the robot
+constexpr double kMindsPerson = 3.0;    ///< nearly touching another person
+constexpr double kNearly_m = 0.05;      ///< a step's error
+constexpr double kMindsNearness = 2.0;  ///< for each metre nearer than comfort asks for
+constexpr double kMindsRobotWithin_m =
+    1.2;                                   ///< beyond, no footprint of the robot is within comfort
+constexpr double kMayTouchWithin_m = 3.0;  ///< beyond, neither robot nor its braking way is near
+constexpr double kHeldUp_m_s = 0.1;        ///< slower is held up
+constexpr double kFaces_m_s = 0.2;         ///< slower, he does not turn to where he goes
+constexpr double kLegs_m_s = 0.05;         ///< slower, the legs come together
+constexpr double kThere_m = 0.12;  ///< so near to its end a way has been walked: half a radius
 
 /// Where the robot will be if it goes on as it does now.
 Pose2 predicted(const Surroundings& around, double after_s) {
@@ -64,9 +66,9 @@ Pose2 predicted(const Surroundings& around, double after_s) {
 
 }  // namespace
 
-double stopping_way_m(double forward_m_s, const RobotDescription& robot) {
-  constexpr double kReactionS = 0.3;  // 85 ms picture, 100 ms cycle, 60 ms motors, and a little
-  return stopping_way(forward_m_s, robot.max_acceleration_m_s2, kReactionS);
+double stopping_distance_m(double forward_m_s, const RobotDescription& robot) {
+  constexpr double kReaction_s = 0.3;  // 85 ms image, 100 ms cycle, 60 ms motors, and a little
+  return stopping_way(forward_m_s, robot.max_acceleration_m_s2, kReaction_s);
 }
 
 void Walker::appear(Pose2 at, int look) {
@@ -88,14 +90,14 @@ void Walker::go(std::vector<Point2> way, double speed_m_s, std::vector<Point2> d
 }
 
 bool Walker::arrived() const {
-  return way_.empty() || distance_m(at(), way_.back()) < kThereM;
+  return way_.empty() || distance_m(at(), way_.back()) < kThere_m;
 }
 
 void Walker::face(Point2 place) {
   facing_rad_ = std::atan2(place.y_m - state_.pose.y_m, place.x_m - state_.pose.x_m);
 }
 
-Point2 Walker::point_on_way(double along_m) const {
+Point2 Walker::point_on_path(double along_m) const {
   for (std::size_t i = 0; i + 1 < way_.size(); ++i) {
     const double length = distance_m(way_[i], way_[i + 1]);
     if (along_m <= length && length > 0.0) {
@@ -108,7 +110,7 @@ Point2 Walker::point_on_way(double along_m) const {
   return way_.back();
 }
 
-std::vector<Point2> Walker::rest_of_way() const {
+std::vector<Point2> Walker::rest_of_path() const {
   std::vector<Point2> rest;
   double along = 0.0;
   for (std::size_t i = 0; i < way_.size(); ++i) {
@@ -125,7 +127,7 @@ void Walker::find_progress() {
   double nearest = std::numeric_limits<double>::infinity();
   for (int i = 0; i <= 20; ++i) {
     const double along = std::min(progress_m_ + 0.05 * i, length_m_);
-    const double away = distance_m(at(), point_on_way(along));
+    const double away = distance_m(at(), point_on_path(along));
     if (away < nearest) {
       nearest = away;
       best = along;
@@ -134,32 +136,32 @@ void Walker::find_progress() {
   progress_m_ = best;
 }
 
-Point2 Walker::target_on_way(const Surroundings& around) const {
-  const Point2 here = point_on_way(progress_m_);
-  const Point2 target = point_on_way(std::min(progress_m_ + kLookAheadM, length_m_));
+Point2 Walker::target_on_path(const Surroundings& around) const {
+  const Point2 here = point_on_path(progress_m_);
+  const Point2 target = point_on_path(std::min(progress_m_ + kLookAhead_m, length_m_));
   if (distance_m(here, target) < 0.05) return target;
   // Where the robot is in the way he makes early for a place beside it, on the side with room.
   const Pose2 way{state_.pose.x_m, state_.pose.y_m,
                   std::atan2(target.y_m - here.y_m, target.x_m - here.x_m)};
-  const Point2 robot = to_inner(way, Point2{around.robot.x_m, around.robot.y_m});
+  const Point2 robot = inverse_transform(way, Point2{around.robot.x_m, around.robot.y_m});
   const bool in_the_way =
       distance_to_segment_m({around.robot.x_m, around.robot.y_m}, here,
-                            point_on_way(std::min(progress_m_ + kSeesRobotM, length_m_))) <
-      kBesideM;
+                            point_on_path(std::min(progress_m_ + kSeesRobot_m, length_m_))) <
+      kBeside_m;
   if (!in_the_way || robot.x_m < -0.4) return target;
   const double ahead = robot.x_m > 1.2 ? robot.x_m - 0.7 : std::max(0.5, robot.x_m + 0.2);
   const double near_side = robot.y_m > 0.0 ? -1.0 : 1.0;
   for (const double side : {near_side, -near_side}) {
-    const Point2 beside = to_outer(way, Point2{robot.x_m, robot.y_m + side * kBesideM});
+    const Point2 beside = transform(way, Point2{robot.x_m, robot.y_m + side * kBeside_m});
     if (around.map->at(beside) < kR + 0.02) continue;
-    return to_outer(way, Point2{ahead, robot.y_m + side * kBesideM});
+    return transform(way, Point2{ahead, robot.y_m + side * kBeside_m});
   }
   return target;
 }
 
 bool Walker::at_a_door(Point2 place) const {
   return std::any_of(doors_.begin(), doors_.end(),
-                     [&](const Point2& door) { return distance_m(place, door) < kDoorReachM; });
+                     [&](const Point2& door) { return distance_m(place, door) < kDoorReach_m; });
 }
 
 void Walker::decide(const Surroundings& around) {
@@ -167,13 +169,13 @@ void Walker::decide(const Surroundings& around) {
   wanted_y_m_s_ = 0.0;
   if (arrived()) return;
   find_progress();
-  const Point2 target = target_on_way(around);
+  const Point2 target = target_on_path(around);
   const double ahead = std::atan2(target.y_m - state_.pose.y_m, target.x_m - state_.pose.x_m);
   const double speed = std::min(speed_m_s_, 0.3 + 1.5 * distance_m(at(), way_.back()));
   Choice best{ahead, 0.0};
   double lowest = cost(best, target, around);
   for (const double share : {1.0, 0.5}) {
-    for (const double offset : kOffsetsDeg) {
+    for (const double offset : kOffsets_deg) {
       const Choice choice{ahead + radians(offset), share * speed};
       const double value = cost(choice, target, around) + kMindsTurning * std::abs(radians(offset));
       if (value < lowest) {
@@ -211,21 +213,21 @@ double Walker::cost_at(Point2 place, double after_s, const Surroundings& around)
   const double comfort = std::max(0.2, 1.0 - 0.2 * held_up_s_);
   if (!at_a_door(place)) {
     const double room = around.map->at(place) - kR;
-    if (room < kTouchesM && room < around.map->at(at()) - kR - 1e-6) sum += kMindsTouching;
-    if (room < kBesideWallM) sum += kMindsWall * (kBesideWallM - room);
+    if (room < kTouches_m && room < around.map->at(at()) - kR - 1e-6) sum += kMindsTouching;
+    if (room < kBesideWall_m) sum += kMindsWall * (kBesideWall_m - room);
   }
   const Pose2 robot = predicted(around, after_s);
-  if (distance_m(place, {robot.x_m, robot.y_m}) < kMindsRobotWithinM) {
+  if (distance_m(place, {robot.x_m, robot.y_m}) < kMindsRobotWithin_m) {
     const double room = distance_m(moved(around.footprint, robot), disc(place, kR));
-    if (room < kHandM + kNearlyM) sum += kMindsRobot * urgency;
-    if (room < kComfortM) sum += kMindsNearness * comfort * urgency * (kComfortM - room);
+    if (room < kHand_m + kNearly_m) sum += kMindsRobot * urgency;
+    if (room < kComfort_m) sum += kMindsNearness * comfort * urgency * (kComfort_m - room);
   }
   for (const Passer& other : around.others) {
     const Point2 then{other.at.x_m + after_s * other.velocity_x_m_s,
                       other.at.y_m + after_s * other.velocity_y_m_s};
     const double room = distance_m(place, then) - 2 * kR;
-    if (room < kNearlyM) sum += kMindsPerson * urgency;
-    if (room < kFriendlyM) sum += kMindsNearness * comfort * urgency * (kFriendlyM - room);
+    if (room < kNearly_m) sum += kMindsPerson * urgency;
+    if (room < kFriendly_m) sum += kMindsNearness * comfort * urgency * (kFriendly_m - room);
   }
   return sum;
 }
@@ -236,9 +238,9 @@ bool Walker::may_step_to(Point2 place, const Surroundings& around) const {
     const double room = around.map->at(place);
     if (room < kR && room < around.map->at(here)) return false;
   }
-  if (distance_m(place, {around.robot.x_m, around.robot.y_m}) < kMayTouchWithinM) {
+  if (distance_m(place, {around.robot.x_m, around.robot.y_m}) < kMayTouchWithin_m) {
     // A turning robot sweeps more than it covers.
-    const double keep = kHandM + 0.1 * std::min(1.0, std::abs(around.robot_turn_rad_s) / 0.5);
+    const double keep = kHand_m + 0.1 * std::min(1.0, std::abs(around.robot_turn_rad_s) / 0.5);
     for (const ConvexShape* shape : {&around.body, &around.braking}) {
       const double room = distance_m(*shape, disc(place, kR));
       if (room >= keep) continue;
@@ -272,8 +274,8 @@ void Walker::step(double dt_s, const Surroundings& around) {
   state_.pose.x_m += velocity_x_m_s_ * dt_s;
   state_.pose.y_m += velocity_y_m_s_ * dt_s;
   state_.speed_m_s = std::hypot(velocity_x_m_s_, velocity_y_m_s_);
-  held_up_s_ = !arrived() && state_.speed_m_s < kHeldUpM_s ? held_up_s_ + dt_s : 0.0;
-  if (state_.speed_m_s > kFacesM_s) facing_rad_ = std::atan2(velocity_y_m_s_, velocity_x_m_s_);
+  held_up_s_ = !arrived() && state_.speed_m_s < kHeldUp_m_s ? held_up_s_ + dt_s : 0.0;
+  if (state_.speed_m_s > kFaces_m_s) facing_rad_ = std::atan2(velocity_y_m_s_, velocity_x_m_s_);
   turn_towards(facing_rad_, dt_s);
   swing_legs(dt_s);
 }
@@ -286,8 +288,8 @@ void Walker::turn_towards(double heading_rad, double dt_s) {
 
 void Walker::swing_legs(double dt_s) {
   using std::numbers::pi;
-  if (state_.speed_m_s > kLegsM_s) {
-    state_.stride_rad += 2 * pi * state_.speed_m_s * dt_s / kTwoStepsM;
+  if (state_.speed_m_s > kLegs_m_s) {
+    state_.stride_rad += 2 * pi * state_.speed_m_s * dt_s / kTwoSteps_m;
   } else {  // the legs come together
     const double rest = std::round(state_.stride_rad / pi) * pi;
     state_.stride_rad += std::clamp(rest - state_.stride_rad, -4.0 * dt_s, 4.0 * dt_s);

@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include "platform/simulator/clearance_map.hpp"
-#include "platform/simulator/scene.hpp"
-#include "platform/simulator/shapes.hpp"
+#include "striate/platform/simulator/clearance_map.hpp"
+#include "striate/platform/simulator/scene.hpp"
+#include "striate/platform/simulator/shapes.hpp"
 
 namespace striate::simulator {
 
@@ -27,8 +27,8 @@ struct Surroundings {
   std::vector<Passer> others;
 };
 
-/// How far the robot goes from deciding to stop until it stands: picture, cycle, motors, brakes.
-[[nodiscard]] double stopping_way_m(double forward_m_s, const RobotDescription& robot);
+/// How far the robot goes from deciding to stop until it stands: image, cycle, motors, brakes.
+[[nodiscard]] double stopping_distance_m(double forward_m_s, const RobotDescription& robot);
 
 /// A person who follows a way and looks where he goes. He sidesteps the robot where there is room,
 /// stops short of it where there is none, and never by his own step comes nearer than a hand's
@@ -41,7 +41,7 @@ class Walker {
   void go(std::vector<Point2> way, double speed_m_s, std::vector<Point2> doors = {});
   void stand() { way_.clear(); }
   /// What is left of his way, from where he is; empty where he has none.
-  [[nodiscard]] std::vector<Point2> rest_of_way() const;
+  [[nodiscard]] std::vector<Point2> rest_of_path() const;
 
   /// Chooses where to step next; several times a second.
   void decide(const Surroundings& around);
@@ -63,8 +63,8 @@ class Walker {
     double direction_rad = 0.0;
     double speed_m_s = 0.0;
   };
-  [[nodiscard]] Point2 point_on_way(double along_m) const;
-  [[nodiscard]] Point2 target_on_way(const Surroundings& around) const;
+  [[nodiscard]] Point2 point_on_path(double along_m) const;
+  [[nodiscard]] Point2 target_on_path(const Surroundings& around) const;
   void find_progress();
   [[nodiscard]] bool at_a_door(Point2 place) const;
   [[nodiscard]] double cost(const Choice& choice, Point2 target, const Surroundings& around) const;

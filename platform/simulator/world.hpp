@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "base/geometry.hpp"
+#include "striate/base/geometry.hpp"
 
 /// What a world file says, in SI units and radians. x runs along the corridor's centre line, y to
 /// its left, the middle of the start wall is the origin. In a corridor with turns x goes on along
@@ -55,7 +55,7 @@ struct Poster {
   double height_m = 1.5;  ///< of its middle
   double width_m = 0.6;
   double tall_m = 0.9;
-  std::string image;  ///< a shipped picture's name, or the path of an image file
+  std::string image;  ///< a shipped image's name, or the path of an image file
 };
 
 struct LightRow {

@@ -1,4 +1,4 @@
-#include "platform/simulator/world_entry.hpp"
+#include "striate/platform/simulator/world_entry.hpp"
 
 #include <fmt/format.h>
 
@@ -7,12 +7,12 @@
 #include <filesystem>
 #include <opencv2/imgcodecs.hpp>
 
-#include "platform/simulator/corridor_width.hpp"
-#include "platform/simulator/world_names.hpp"
+#include "striate/platform/simulator/corridor_width.hpp"
+#include "striate/platform/simulator/world_names.hpp"
 
 namespace striate::simulator {
 
-using config::Place;
+using config::SourceLocation;
 using config::Unit;
 
 std::string metres(double length_m) {
@@ -20,15 +20,15 @@ std::string metres(double length_m) {
 }
 
 WorldEntry::WorldEntry(const config::Node& node, const std::string& what, const World& world,
-                       config::Mistakes& mistakes)
+                       config::Diagnostics& diagnostics)
     : world_(world),
-      mistakes_(mistakes),
-      before_(mistakes.list().size()),
-      map_(node, what, mistakes) {}
+      diagnostics_(diagnostics),
+      before_(diagnostics.list().size()),
+      map_(node, what, diagnostics) {}
 
 void WorldEntry::add(const std::string& key, const std::string& message, const std::string& hint) {
   const auto* entry = map_.node().find(key);
-  mistakes_.add(entry != nullptr ? entry->value.place : map_.node().place, message, hint);
+  diagnostics_.add(entry != nullptr ? entry->value.place : map_.node().place, message, hint);
 }
 
 void WorldEntry::require_side(Side& side) {
@@ -93,7 +93,7 @@ void WorldEntry::check_image(const std::string& key, std::string& image,
     add(key, fmt::format("there is no file '{}'", file),
         "the path counts from the world file's folder");
   } else if (!cv::haveImageReader(file)) {
-    add(key, fmt::format("'{}' is no picture that can be read", file), "use PNG or JPEG");
+    add(key, fmt::format("'{}' is no image that can be read", file), "use PNG or JPEG");
   }
   image = file;
 }

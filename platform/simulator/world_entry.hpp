@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "config/map_reader.hpp"
-#include "platform/simulator/world.hpp"
+#include "striate/config/map_reader.hpp"
+#include "striate/platform/simulator/world.hpp"
 
 /// Shared by the files that read parts of a world: one entry of a list and its checks.
 namespace striate::simulator {
@@ -13,11 +13,11 @@ namespace striate::simulator {
 class WorldEntry {
  public:
   WorldEntry(const config::Node& node, const std::string& what, const World& world,
-             config::Mistakes& mistakes);
+             config::Diagnostics& diagnostics);
 
   [[nodiscard]] config::MapReader& map() { return map_; }
   /// No mistake so far in this entry.
-  [[nodiscard]] bool sound() const { return mistakes_.list().size() == before_; }
+  [[nodiscard]] bool sound() const { return diagnostics_.list().size() == before_; }
   void add(const std::string& key, const std::string& message, const std::string& hint = {});
 
   void require_side(Side& side);
@@ -36,7 +36,7 @@ class WorldEntry {
 
  private:
   const World& world_;
-  config::Mistakes& mistakes_;
+  config::Diagnostics& diagnostics_;
   std::size_t before_;
   config::MapReader map_;
 };
@@ -50,8 +50,8 @@ void for_each_entry(config::MapReader& root, const std::string& key, Read read) 
   const config::Node* list = root.raw(key);
   if (list == nullptr) return;
   if (list->kind != config::Node::Kind::list) {
-    root.mistakes().add(list->place, "'" + key + "' must be a list, not " + list->describe(),
-                        "write each entry on a line of its own that begins with '- '");
+    root.diagnostics().add(list->place, "'" + key + "' must be a list, not " + list->describe(),
+                           "write each entry on a line of its own that begins with '- '");
     return;
   }
   for (const config::Node& item : list->items) read(item);

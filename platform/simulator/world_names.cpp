@@ -1,9 +1,9 @@
-#include "platform/simulator/world_names.hpp"
+#include "striate/platform/simulator/world_names.hpp"
 
 #include <fmt/ranges.h>
 
-#include "config/quantity.hpp"
-#include "platform/simulator/render/paint.hpp"
+#include "striate/config/quantity.hpp"
+#include "striate/platform/simulator/render/paint.hpp"
 
 namespace striate::simulator {
 

@@ -1,18 +1,19 @@
-#include "platform/simulator/world_reader.hpp"
+#include "striate/platform/simulator/world_reader.hpp"
 
 #include <fmt/format.h>
 
-#include "config/map_reader.hpp"
-#include "platform/interface/robot.hpp"
-#include "platform/simulator/obstacle_shapes.hpp"
-#include "platform/simulator/static_shapes.hpp"
-#include "platform/simulator/world_entry.hpp"
+#include "striate/config/map_reader.hpp"
+#include "striate/config/yaml.hpp"
+#include "striate/platform/interface/robot.hpp"
+#include "striate/platform/simulator/obstacle_shapes.hpp"
+#include "striate/platform/simulator/static_shapes.hpp"
+#include "striate/platform/simulator/world_entry.hpp"
 
 namespace striate::simulator {
 namespace {
 
+using config::Diagnostics;
 using config::MapReader;
-using config::Mistakes;
 using config::Node;
 using config::Unit;
 
@@ -33,7 +34,7 @@ bool check_start_clear(WorldEntry& entry, const ConvexShape& robot, const std::s
 void read_start(MapReader& root, World& world) {
   const Node* node = root.raw("start");
   const Node whole = node != nullptr ? *node : root.node();
-  WorldEntry entry(whole, "the start", world, root.mistakes());
+  WorldEntry entry(whole, "the start", world, root.diagnostics());
   if (node != nullptr) {
     Point2 at{world.start.x_m, world.start.y_m};
     entry.require_point("at", at);
@@ -65,7 +66,7 @@ void read_goal(MapReader& root, World& world) {
   world.goal_beyond_m = world.length_m - 2.0;
   const Node* node = root.raw("goal");
   if (node == nullptr) return;
-  WorldEntry entry(*node, "the goal", world, root.mistakes());
+  WorldEntry entry(*node, "the goal", world, root.diagnostics());
   entry.require_length("beyond", world.goal_beyond_m, {-1000.0, 1000.0});
   entry.finish();
   if (!entry.sound()) return;
@@ -80,11 +81,11 @@ void read_goal(MapReader& root, World& world) {
   }
 }
 
-World read_root(const Node& node, Mistakes& mistakes) {
+World read_root(const Node& node, Diagnostics& diagnostics) {
   World world;
-  world.file = mistakes.file();
+  world.file = diagnostics.file();
   if (node.kind == Node::Kind::nothing) return world;  // the parser has said why
-  MapReader root(node, "the world", mistakes);
+  MapReader root(node, "the world", diagnostics);
   if (node.kind != Node::Kind::map) return world;
   int version = 1;
   if (root.require("striate_world")) root.integer("striate_world", version, {1, 1});
@@ -103,19 +104,19 @@ World read_root(const Node& node, Mistakes& mistakes) {
 
 }  // namespace
 
-World parse_world(const std::string& text, Mistakes& mistakes) {
-  mistakes.set_source(text);
-  return read_root(config::parse_yaml(text, mistakes), mistakes);
+World parse_world(const std::string& text, Diagnostics& diagnostics) {
+  diagnostics.set_source(text);
+  return read_root(config::parse_yaml(text, diagnostics), diagnostics);
 }
 
-World read_world(Mistakes& mistakes) {
-  return read_root(config::load_yaml(mistakes), mistakes);
+World read_world(Diagnostics& diagnostics) {
+  return read_root(config::load_yaml(diagnostics), diagnostics);
 }
 
 World load_world(const std::string& file) {
-  Mistakes mistakes(file);
-  World world = read_world(mistakes);
-  mistakes.throw_if_any();
+  Diagnostics diagnostics(file);
+  World world = read_world(diagnostics);
+  diagnostics.throw_if_any();
   return world;
 }
 

@@ -1,22 +1,22 @@
-#include "tasks/nodes/action_node.hpp"
+#include "striate/tasks/nodes/action_node.hpp"
 
-namespace striate {
+namespace striate::tasks {
 
-ActionNode::ActionNode(std::string name, int line, std::unique_ptr<Behaviour> behaviour)
+ActionNode::ActionNode(std::string name, int line, std::unique_ptr<behaviours::Behaviour> behaviour)
     : name_(std::move(name)),
       line_(line),
       behaviour_(std::move(behaviour)),
       motors_(behaviour_->motors()) {}
 
-Outcome ActionNode::on_tick(TaskCycle& cycle) {
-  const Wish wanted = behaviour_->tick(cycle.memory());
-  if (wanted.progress == Progress::succeeded) return Outcome::succeeded;
-  if (wanted.progress == Progress::failed) {
+NodeStatus ActionNode::on_tick(TaskCycle& cycle) {
+  const behaviours::Wish wanted = behaviour_->tick(cycle.memory());
+  if (wanted.progress == behaviours::Progress::succeeded) return NodeStatus::succeeded;
+  if (wanted.progress == behaviours::Progress::failed) {
     cycle.reason().set("{} (line {}): {}", name_, line_, wanted.why.view());
-    return Outcome::failed;
+    return NodeStatus::failed;
   }
   cycle.want(this, name_, motors_, wanted);
-  return Outcome::running;
+  return NodeStatus::running;
 }
 
 bool ActionNode::on_halt(TaskCycle& cycle) {
@@ -24,4 +24,4 @@ bool ActionNode::on_halt(TaskCycle& cycle) {
   return behaviour_->halt(cycle.memory());
 }
 
-}  // namespace striate
+}  // namespace striate::tasks

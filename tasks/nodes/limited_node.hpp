@@ -4,10 +4,10 @@
 #include <optional>
 #include <string>
 
-#include "tasks/condition.hpp"
-#include "tasks/nodes/task_node.hpp"
+#include "striate/tasks/condition.hpp"
+#include "striate/tasks/nodes/task_node.hpp"
 
-namespace striate {
+namespace striate::tasks {
 
 /// What ends a step from outside.
 struct Limits {
@@ -28,7 +28,7 @@ class LimitedNode final : public TaskNode {
 
  protected:
   void on_start(TaskCycle& cycle) override;
-  Outcome on_tick(TaskCycle& cycle) override;
+  NodeStatus on_tick(TaskCycle& cycle) override;
   bool on_halt(TaskCycle& cycle) override { return child_->halt(cycle); }
 
  private:
@@ -37,7 +37,7 @@ class LimitedNode final : public TaskNode {
   NodePtr child_;
   Limits limits_;
   TimePoint started_;
-  Outcome pending_ = Outcome::running;  ///< what it will have been once the child is halted
+  NodeStatus pending_ = NodeStatus::running;  ///< what it will have been once the child is halted
 };
 
-}  // namespace striate
+}  // namespace striate::tasks

@@ -2,10 +2,10 @@
 
 #include <memory>
 
-#include "tasks/condition.hpp"
-#include "tasks/nodes/task_node.hpp"
+#include "striate/tasks/condition.hpp"
+#include "striate/tasks/nodes/task_node.hpp"
 
-namespace striate {
+namespace striate::tasks {
 
 /// `only_if` and `unless`: looked at once, before the child starts. Where they forbid it the child
 /// is skipped: `do` goes on with the next step, `try` with the next alternative.
@@ -22,8 +22,8 @@ class OnlyIfNode final : public TaskNode {
     allowed_ = (!only_if_ || only_if_->holds(cycle.memory())) &&
                (!unless_ || !unless_->holds(cycle.memory()));
   }
-  Outcome on_tick(TaskCycle& cycle) override {
-    return allowed_ ? child_->tick(cycle) : Outcome::skipped;
+  NodeStatus on_tick(TaskCycle& cycle) override {
+    return allowed_ ? child_->tick(cycle) : NodeStatus::skipped;
   }
   bool on_halt(TaskCycle& cycle) override { return child_->halt(cycle); }
 
@@ -34,4 +34,4 @@ class OnlyIfNode final : public TaskNode {
   bool allowed_ = false;
 };
 
-}  // namespace striate
+}  // namespace striate::tasks

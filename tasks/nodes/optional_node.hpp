@@ -1,8 +1,8 @@
 #pragma once
 
-#include "tasks/nodes/task_node.hpp"
+#include "striate/tasks/nodes/task_node.hpp"
 
-namespace striate {
+namespace striate::tasks {
 
 /// `optional: true`: a failure counts as a success.
 class OptionalNode final : public TaskNode {
@@ -10,9 +10,9 @@ class OptionalNode final : public TaskNode {
   explicit OptionalNode(NodePtr child) : child_(std::move(child)) {}
 
  protected:
-  Outcome on_tick(TaskCycle& cycle) override {
-    const Outcome outcome = child_->tick(cycle);
-    return outcome == Outcome::failed ? Outcome::succeeded : outcome;
+  NodeStatus on_tick(TaskCycle& cycle) override {
+    const NodeStatus outcome = child_->tick(cycle);
+    return outcome == NodeStatus::failed ? NodeStatus::succeeded : outcome;
   }
   bool on_halt(TaskCycle& cycle) override { return child_->halt(cycle); }
 
@@ -20,4 +20,4 @@ class OptionalNode final : public TaskNode {
   NodePtr child_;
 };
 
-}  // namespace striate
+}  // namespace striate::tasks

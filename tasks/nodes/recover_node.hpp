@@ -1,8 +1,8 @@
 #pragma once
 
-#include "tasks/nodes/task_node.hpp"
+#include "striate/tasks/nodes/task_node.hpp"
 
-namespace striate {
+namespace striate::tasks {
 
 /// `if_it_fails`: when the child fails, the recovery is run, and then the child again, so many
 /// times. However the recovery ends, the child is tried again.
@@ -16,16 +16,16 @@ class RecoverNode final : public TaskNode {
     used_ = 0;
     recovering_ = false;
   }
-  Outcome on_tick(TaskCycle& cycle) override {
+  NodeStatus on_tick(TaskCycle& cycle) override {
     if (recovering_) {
-      recovering_ = recovery_->tick(cycle) == Outcome::running;
-      return Outcome::running;
+      recovering_ = recovery_->tick(cycle) == NodeStatus::running;
+      return NodeStatus::running;
     }
-    const Outcome outcome = child_->tick(cycle);
-    if (outcome != Outcome::failed || used_ >= tries_) return outcome;
+    const NodeStatus outcome = child_->tick(cycle);
+    if (outcome != NodeStatus::failed || used_ >= tries_) return outcome;
     ++used_;
     recovering_ = true;
-    return Outcome::running;
+    return NodeStatus::running;
   }
   bool on_halt(TaskCycle& cycle) override {
     return (recovering_ ? recovery_ : child_)->halt(cycle);
@@ -39,4 +39,4 @@ class RecoverNode final : public TaskNode {
   bool recovering_ = false;
 };
 
-}  // namespace striate
+}  // namespace striate::tasks

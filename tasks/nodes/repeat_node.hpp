@@ -1,8 +1,8 @@
 #pragma once
 
-#include "tasks/nodes/task_node.hpp"
+#include "striate/tasks/nodes/task_node.hpp"
 
-namespace striate {
+namespace striate::tasks {
 
 /// `repeat`: again and again, so many times or until it is halted. A round that fails ends it.
 class RepeatNode final : public TaskNode {
@@ -12,11 +12,11 @@ class RepeatNode final : public TaskNode {
 
  protected:
   void on_start(TaskCycle& /*cycle*/) override { done_ = 0; }
-  Outcome on_tick(TaskCycle& cycle) override {
-    const Outcome outcome = child_->tick(cycle);
-    if (outcome == Outcome::running || outcome == Outcome::failed) return outcome;
-    if (times_ == 0) return Outcome::running;
-    return ++done_ >= times_ ? Outcome::succeeded : Outcome::running;
+  NodeStatus on_tick(TaskCycle& cycle) override {
+    const NodeStatus outcome = child_->tick(cycle);
+    if (outcome == NodeStatus::running || outcome == NodeStatus::failed) return outcome;
+    if (times_ == 0) return NodeStatus::running;
+    return ++done_ >= times_ ? NodeStatus::succeeded : NodeStatus::running;
   }
   bool on_halt(TaskCycle& cycle) override { return child_->halt(cycle); }
 
@@ -26,4 +26,4 @@ class RepeatNode final : public TaskNode {
   int done_ = 0;
 };
 
-}  // namespace striate
+}  // namespace striate::tasks

@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "tasks/condition.hpp"
-#include "tasks/nodes/task_node.hpp"
+#include "striate/tasks/condition.hpp"
+#include "striate/tasks/nodes/task_node.hpp"
 
-namespace striate {
+namespace striate::tasks {
 
 /// One line of `always`.
 struct Guard {
@@ -30,11 +30,11 @@ class ScopeNode final : public TaskNode {
       : guards_(std::move(guards)), steps_(std::move(steps)), finally_(std::move(finally)) {}
 
   /// How the steps ended, also while `finally` still runs; running before.
-  [[nodiscard]] Outcome steps_outcome() const { return outcome_; }
+  [[nodiscard]] NodeStatus steps_outcome() const { return outcome_; }
 
  protected:
   void on_start(TaskCycle& cycle) override;
-  Outcome on_tick(TaskCycle& cycle) override;
+  NodeStatus on_tick(TaskCycle& cycle) override;
   bool on_halt(TaskCycle& cycle) override;
 
  private:
@@ -42,17 +42,17 @@ class ScopeNode final : public TaskNode {
 
   /// The first guard that holds, or nullptr: checked every cycle, top first.
   [[nodiscard]] const Guard* holding(TaskCycle& cycle) const;
-  Outcome tick_steps(TaskCycle& cycle);
-  Outcome tick_finally(TaskCycle& cycle);
-  Outcome begin_finally(TaskCycle& cycle, Outcome outcome);
+  NodeStatus tick_steps(TaskCycle& cycle);
+  NodeStatus tick_finally(TaskCycle& cycle);
+  NodeStatus begin_finally(TaskCycle& cycle, NodeStatus outcome);
 
   std::vector<Guard> guards_;
   NodePtr steps_;
   NodePtr finally_;
   Phase phase_ = Phase::doing;
-  Outcome outcome_ = Outcome::running;
+  NodeStatus outcome_ = NodeStatus::running;
   TimePoint finally_since_;
   long ticked_in_ = 0;  ///< number of the cycle in which `finally` had its tick
 };
 
-}  // namespace striate
+}  // namespace striate::tasks

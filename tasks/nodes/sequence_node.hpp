@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include "tasks/nodes/task_node.hpp"
+#include "striate/tasks/nodes/task_node.hpp"
 
-namespace striate {
+namespace striate::tasks {
 
 /// `do`: one after the other, with memory: what is done is not done again. The next child starts
 /// in the cycle after the end of the one before.
@@ -16,7 +16,7 @@ class SequenceNode final : public TaskNode {
 
  protected:
   void on_start(TaskCycle& cycle) override;
-  Outcome on_tick(TaskCycle& cycle) override;
+  NodeStatus on_tick(TaskCycle& cycle) override;
   bool on_halt(TaskCycle& cycle) override;
 
  private:
@@ -26,4 +26,4 @@ class SequenceNode final : public TaskNode {
   bool all_skipped_ = true;
 };
 
-}  // namespace striate
+}  // namespace striate::tasks

@@ -1,12 +1,13 @@
-#include "tasks/nodes/task_cycle.hpp"
+#include "striate/tasks/nodes/task_cycle.hpp"
 
 #include <stdexcept>
 
-namespace striate {
+namespace striate::tasks {
 
-void TaskCycle::want(const void* action, std::string_view name, Motors motors, const Wish& wanted) {
-  const bool wheels = share(motors, Motors::wheels);
-  const bool head = share(motors, Motors::head);
+void TaskCycle::want(const void* action, std::string_view name, behaviours::Motors motors,
+                     const behaviours::Wish& wanted) {
+  const bool wheels = behaviours::share(motors, behaviours::Motors::wheels);
+  const bool head = behaviours::share(motors, behaviours::Motors::head);
   if ((wheels && wheels_of_ != nullptr) || (head && head_of_ != nullptr)) {
     throw std::logic_error("two actions want the same motors in one cycle");
   }
@@ -28,7 +29,7 @@ void TaskCycle::want(const void* action, std::string_view name, Motors motors, c
 
 void TaskCycle::release(const void* action) {
   if (wheels_of_ != action && head_of_ != action) return;
-  const Wish standing = standing_wish(memory_, "");
+  const behaviours::Wish standing = behaviours::standing_wish(memory_, "");
   if (wheels_of_ == action) {
     wish_.forward_m_s = 0.0;
     wish_.turn_rad_s = 0.0;
@@ -47,4 +48,4 @@ void TaskCycle::pause(const char* why) {
   if (wheels_of_ == nullptr) wish_.why = why;
 }
 
-}  // namespace striate
+}  // namespace striate::tasks

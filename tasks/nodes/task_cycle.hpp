@@ -3,12 +3,12 @@
 #include <string_view>
 #include <utility>
 
-#include "base/format_text.hpp"
-#include "base/time.hpp"
-#include "behaviours/behaviour.hpp"
-#include "memory/short_term_memory.hpp"
+#include "striate/base/format_text.hpp"
+#include "striate/base/time.hpp"
+#include "striate/behaviours/control/behaviour.hpp"
+#include "striate/memory/short_term/short_term_memory.hpp"
 
-namespace striate {
+namespace striate::tasks {
 
 /// Why something failed, in words; fixed memory, what is too long is cut.
 class Reason {
@@ -28,41 +28,42 @@ class Reason {
 class TaskCycle {
  public:
   /// @param number of the cycle, from 1 on.
-  TaskCycle(const ShortTermMemory& memory, TimePoint now, Reason& reason, long number)
+  TaskCycle(const memory::ShortTermMemory& memory, TimePoint now, Reason& reason, long number)
       : memory_(memory),
         now_(now),
         reason_(reason),
         number_(number),
-        wish_(standing_wish(memory, "")) {}
+        wish_(behaviours::standing_wish(memory, "")) {}
 
-  [[nodiscard]] const ShortTermMemory& memory() const { return memory_; }
+  [[nodiscard]] const memory::ShortTermMemory& memory() const { return memory_; }
   [[nodiscard]] TimePoint now() const { return now_; }
   [[nodiscard]] long number() const { return number_; }
   [[nodiscard]] Reason& reason() { return reason_; }
 
   /// An action that runs wants these motors. @throws std::logic_error where another one has them
   /// in this cycle: the checker lets no such script through.
-  void want(const void* action, std::string_view name, Motors motors, const Wish& wanted);
+  void want(const void* action, std::string_view name, behaviours::Motors motors,
+            const behaviours::Wish& wanted);
   /// The action takes back what it wanted in this cycle, because it is halted.
   void release(const void* action);
   /// A guard holds the robot still in this cycle.
   void pause(const char* why);
 
-  [[nodiscard]] const Wish& wish() const { return wish_; }
+  [[nodiscard]] const behaviours::Wish& wish() const { return wish_; }
   /// The action that has the wheels, or else the last that ran; "" when none did.
   [[nodiscard]] std::string_view doing() const { return doing_; }
   [[nodiscard]] bool paused() const { return paused_; }
 
  private:
-  const ShortTermMemory& memory_;
+  const memory::ShortTermMemory& memory_;
   TimePoint now_;
   Reason& reason_;
   long number_;
-  Wish wish_;
+  behaviours::Wish wish_;
   const void* wheels_of_ = nullptr;
   const void* head_of_ = nullptr;
   std::string_view doing_;
   bool paused_ = false;
 };
 
-}  // namespace striate
+}  // namespace striate::tasks

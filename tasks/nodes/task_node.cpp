@@ -1,8 +1,8 @@
-#include "tasks/nodes/task_node.hpp"
+#include "striate/tasks/nodes/task_node.hpp"
 
 #include <stdexcept>
 
-namespace striate {
+namespace striate::tasks {
 
 void TaskNode::begin(TaskCycle& cycle) {
   if (state_ != State::idle) return;
@@ -10,11 +10,11 @@ void TaskNode::begin(TaskCycle& cycle) {
   on_start(cycle);
 }
 
-Outcome TaskNode::tick(TaskCycle& cycle) {
+NodeStatus TaskNode::tick(TaskCycle& cycle) {
   if (state_ == State::halting) throw std::logic_error("a node that is being halted was ticked");
   begin(cycle);
-  const Outcome outcome = on_tick(cycle);
-  if (outcome != Outcome::running) state_ = State::idle;
+  const NodeStatus outcome = on_tick(cycle);
+  if (outcome != NodeStatus::running) state_ = State::idle;
   return outcome;
 }
 
@@ -28,4 +28,4 @@ bool TaskNode::halt(TaskCycle& cycle) {
   return true;
 }
 
-}  // namespace striate
+}  // namespace striate::tasks

@@ -3,12 +3,12 @@
 #include <cstdint>
 #include <memory>
 
-#include "tasks/nodes/task_cycle.hpp"
+#include "striate/tasks/nodes/task_cycle.hpp"
 
-namespace striate {
+namespace striate::tasks {
 
 /// How a node came out. `skipped`: its `only_if` did not hold, so it was neither good nor bad.
-enum class Outcome : std::uint8_t { running, succeeded, failed, skipped };
+enum class NodeStatus : std::uint8_t { running, succeeded, failed, skipped };
 
 /// A node of a task's tree, with the semantics of behaviour trees: it is ticked once a cycle until
 /// it ends, or is halted. It starts with the first tick and may be run again after its end.
@@ -24,7 +24,7 @@ class TaskNode {
   /// Starts it without a tick, for what may be halted before its first one. Nothing if it runs.
   void begin(TaskCycle& cycle);
   /// One cycle; begins it where it does not run. @throws std::logic_error while it is being halted.
-  Outcome tick(TaskCycle& cycle);
+  NodeStatus tick(TaskCycle& cycle);
   /// Asks to end; called each cycle until true: everything below stands halted. True at once where
   /// nothing runs. What two nodes above ask in one cycle is passed on once.
   bool halt(TaskCycle& cycle);
@@ -33,7 +33,7 @@ class TaskNode {
  protected:
   /// Once before the first tick of each run. Children start with their own first tick.
   virtual void on_start(TaskCycle& /*cycle*/) {}
-  virtual Outcome on_tick(TaskCycle& cycle) = 0;
+  virtual NodeStatus on_tick(TaskCycle& cycle) = 0;
   /// Only while it runs. True: nothing below runs any more.
   virtual bool on_halt(TaskCycle& cycle) = 0;
 
@@ -45,4 +45,4 @@ class TaskNode {
 
 using NodePtr = std::unique_ptr<TaskNode>;
 
-}  // namespace striate
+}  // namespace striate::tasks

@@ -1,8 +1,8 @@
-#include "tasks/nodes/together_node.hpp"
+#include "striate/tasks/nodes/together_node.hpp"
 
 #include <algorithm>
 
-namespace striate {
+namespace striate::tasks {
 
 TogetherNode::TogetherNode(std::vector<NodePtr> children)
     : children_(std::move(children)), ended_(children_.size(), 0) {}
@@ -13,18 +13,18 @@ void TogetherNode::on_start(TaskCycle& /*cycle*/) {
   failing_ = false;
 }
 
-Outcome TogetherNode::on_tick(TaskCycle& cycle) {
+NodeStatus TogetherNode::on_tick(TaskCycle& cycle) {
   for (std::size_t i = 0; i < children_.size() && !failing_; ++i) {
     if (ended_[i] != 0) continue;
-    const Outcome outcome = children_[i]->tick(cycle);
-    ended_[i] = outcome == Outcome::running ? 0 : 1;
-    failing_ = outcome == Outcome::failed;
-    all_skipped_ = all_skipped_ && outcome == Outcome::skipped;
+    const NodeStatus outcome = children_[i]->tick(cycle);
+    ended_[i] = outcome == NodeStatus::running ? 0 : 1;
+    failing_ = outcome == NodeStatus::failed;
+    all_skipped_ = all_skipped_ && outcome == NodeStatus::skipped;
   }
-  if (failing_) return on_halt(cycle) ? Outcome::failed : Outcome::running;
+  if (failing_) return on_halt(cycle) ? NodeStatus::failed : NodeStatus::running;
   const bool all_ended = std::count(ended_.begin(), ended_.end(), 0) == 0;
-  if (!all_ended) return Outcome::running;
-  return all_skipped_ ? Outcome::skipped : Outcome::succeeded;
+  if (!all_ended) return NodeStatus::running;
+  return all_skipped_ ? NodeStatus::skipped : NodeStatus::succeeded;
 }
 
 bool TogetherNode::on_halt(TaskCycle& cycle) {
@@ -33,4 +33,4 @@ bool TogetherNode::on_halt(TaskCycle& cycle) {
   return all;
 }
 
-}  // namespace striate
+}  // namespace striate::tasks

@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include "tasks/nodes/task_node.hpp"
+#include "striate/tasks/nodes/task_node.hpp"
 
-namespace striate {
+namespace striate::tasks {
 
 /// `together`: all children at the same time, each with motors of its own. Succeeds when all have
 /// succeeded; when one fails the others are halted, then it fails.
@@ -14,7 +14,7 @@ class TogetherNode final : public TaskNode {
 
  protected:
   void on_start(TaskCycle& cycle) override;
-  Outcome on_tick(TaskCycle& cycle) override;
+  NodeStatus on_tick(TaskCycle& cycle) override;
   bool on_halt(TaskCycle& cycle) override;
 
  private:
@@ -24,4 +24,4 @@ class TogetherNode final : public TaskNode {
   bool failing_ = false;
 };
 
-}  // namespace striate
+}  // namespace striate::tasks

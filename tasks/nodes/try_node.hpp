@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include "tasks/nodes/task_node.hpp"
+#include "striate/tasks/nodes/task_node.hpp"
 
-namespace striate {
+namespace striate::tasks {
 
 /// `try`: the first child that works. Fails when all have failed.
 class TryNode final : public TaskNode {
@@ -13,7 +13,7 @@ class TryNode final : public TaskNode {
 
  protected:
   void on_start(TaskCycle& cycle) override;
-  Outcome on_tick(TaskCycle& cycle) override;
+  NodeStatus on_tick(TaskCycle& cycle) override;
   bool on_halt(TaskCycle& cycle) override;
 
  private:
@@ -22,4 +22,4 @@ class TryNode final : public TaskNode {
   bool all_skipped_ = true;
 };
 
-}  // namespace striate
+}  // namespace striate::tasks

@@ -2,17 +2,17 @@
 
 #include <vector>
 
-#include "tasks/nodes/task_node.hpp"
-#include "tasks/show/outline.hpp"
+#include "striate/tasks/nodes/task_node.hpp"
+#include "striate/tasks/show/outline.hpp"
 
-namespace striate {
+namespace striate::tasks {
 
 /// How a piece of a task may come out; what cannot come out makes what waits for it unreachable.
 struct Flow {
   bool succeeds = true;
   bool fails = true;
   bool skips = false;
-  Motors motors = Motors::nothing;
+  behaviours::Motors motors = behaviours::Motors::nothing;
 
   /// What follows it in `do` can be reached.
   [[nodiscard]] bool lets_next_begin() const { return succeeds || skips; }
@@ -38,10 +38,11 @@ struct Children {
 [[nodiscard]] Flow flow_of_together(const std::vector<Branch>& steps);
 
 /// Says which step of a sequence is never reached. `keep_going`: failures do not end it.
-void check_sequence(const std::vector<Branch>& steps, bool keep_going, config::Mistakes& mistakes);
+void check_sequence(const std::vector<Branch>& steps, bool keep_going,
+                    config::Diagnostics& diagnostics);
 /// The same for the alternatives of `try`.
-void check_try(const std::vector<Branch>& steps, config::Mistakes& mistakes);
+void check_try(const std::vector<Branch>& steps, config::Diagnostics& diagnostics);
 /// Says which branches of `together` want the same motors.
-void check_together(const std::vector<Branch>& steps, config::Mistakes& mistakes);
+void check_together(const std::vector<Branch>& steps, config::Diagnostics& diagnostics);
 
-}  // namespace striate
+}  // namespace striate::tasks

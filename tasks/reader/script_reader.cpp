@@ -1,12 +1,13 @@
-#include "tasks/reader/script_reader.hpp"
+#include "striate/tasks/reader/script_reader.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "tasks/fault.hpp"
+#include "striate/tasks/condition_registry.hpp"
+#include "striate/tasks/fault.hpp"
 
-namespace striate {
+namespace striate::tasks {
 namespace {
 
 using config::Node;
@@ -15,10 +16,10 @@ using config::Node;
 
 Script ScriptReader::read(Node root) {
   Task& task = script_.task;
-  task.file = mistakes_.file();
+  task.file = diagnostics_.file();
   if (root.kind != Node::Kind::map) {
-    if (mistakes_.none()) {
-      mistakes_.add(fault::wrong_kind, root.place, "a task script must be a map of keys");
+    if (diagnostics_.none()) {
+      diagnostics_.add(fault::wrong_kind, root.place, "a task script must be a map of keys");
     }
     return std::move(script_);
   }
@@ -34,7 +35,7 @@ Script ScriptReader::read(Node root) {
       if (needed.key == "landmarks") put_in(variables, needed.value);
     }
   }
-  config::MapReader map(root, "the task", mistakes_);
+  config::MapReader map(root, "the task", diagnostics_);
   int version = 1;
   if (map.require("striate")) map.integer("striate", version, {1, 1});
   map.text("mission", task.mission);
@@ -64,11 +65,11 @@ void ScriptReader::read_goal(config::MapReader& map) {
       "{}:{}:{}: note: a variable 'way' no longer says that the mission ends at the goal line\n"
       "    write 'goal: line' above 'do' ('goal: steps' if it does not end there); until the next "
       "version it is read as 'goal: line'\n",
-      mistakes_.file(), way->key_place.line, way->key_place.column);
+      diagnostics_.file(), way->key_place.line, way->key_place.column);
 }
 
 void ScriptReader::put_in(const Variables& variables, Node& node) {
-  for (Substitution& done : substitute(node, variables, mistakes_)) {
+  for (Substitution& done : substitute(node, variables, diagnostics_)) {
     script_.substitutions.push_back(std::move(done));
   }
 }
@@ -76,7 +77,7 @@ void ScriptReader::put_in(const Variables& variables, Node& node) {
 Variables ScriptReader::variables_of(const Node& root) {
   Variables variables;
   if (const Node::Entry* entry = root.find("vars")) {
-    variables = read_variables(entry->value, mistakes_);
+    variables = read_variables(entry->value, diagnostics_);
   }
   needed_parameters(root, variables);
   for (auto& [name, variable] : variables) {
@@ -101,9 +102,9 @@ void ScriptReader::needed_parameters(const Node& root, Variables& variables) {
     script_.missing.push_back(name);
     const bool alone = context_.files.size() == 1;
     if (!alone || context_.parameters_stay_open) continue;
-    mistakes_.add(fault::missing_parameter, list->value.place,
-                  fmt::format("the task needs the parameter '{}'", name),
-                  "run the task that uses it, or give it a value in vars");
+    diagnostics_.add(fault::missing_parameter, list->value.place,
+                     fmt::format("the task needs the parameter '{}'", name),
+                     "run the task that uses it, or give it a value in vars");
   }
 }
 
@@ -114,8 +115,9 @@ std::vector<std::string> ScriptReader::names(const Node* node, const char* what)
                     std::all_of(node->items.begin(), node->items.end(),
                                 [](const Node& item) { return item.kind == Node::Kind::scalar; });
   if (!good) {
-    mistakes_.add(fault::wrong_kind, node->place, fmt::format("'{}' must be a list of names", what),
-                  "write it like [book, door]");
+    diagnostics_.add(fault::wrong_kind, node->place,
+                     fmt::format("'{}' must be a list of names", what),
+                     "write it like [book, door]");
     return list;
   }
   for (const Node& item : node->items) list.push_back(item.text);
@@ -123,7 +125,7 @@ std::vector<std::string> ScriptReader::names(const Node* node, const char* what)
 }
 
 void ScriptReader::read_needs(const Node& node) {
-  config::MapReader map(node, "needs", mistakes_);
+  config::MapReader map(node, "needs", diagnostics_);
   map.raw("parameters");
   if (const Node* landmarks = map.raw("landmarks")) {
     script_.task.landmarks = names(landmarks, "landmarks");
@@ -140,17 +142,17 @@ void ScriptReader::check_landmarks(const Node& list) {
     if (std::find(known.begin(), known.end(), item.text) != known.end()) continue;
     std::string hint = config::suggest(item.text, known);
     if (hint.empty()) hint = "teach it first, or give another memory";
-    mistakes_.add(fault::unknown_landmark, item.place,
-                  fmt::format("the memory knows no landmark '{}'", item.text), hint);
+    diagnostics_.add(fault::unknown_landmark, item.place,
+                     fmt::format("the memory knows no landmark '{}'", item.text), hint);
   }
 }
 
 std::vector<Guard> ScriptReader::read_always(const Node& node, Outline& outline) {
   std::vector<Guard> guards;
   if (node.kind != Node::Kind::list) {
-    mistakes_.add(fault::wrong_kind, node.place,
-                  fmt::format("'always' must be a list of guards, but is {}", node.describe()),
-                  "write '- fail_if: {battery_below: 20 %}'");
+    diagnostics_.add(fault::wrong_kind, node.place,
+                     fmt::format("'always' must be a list of guards, but is {}", node.describe()),
+                     "write '- fail_if: {battery_below: 20 %}'");
     return guards;
   }
   for (const Node& item : node.items) read_guard(item, guards, outline);
@@ -160,7 +162,7 @@ std::vector<Guard> ScriptReader::read_always(const Node& node, Outline& outline)
 void ScriptReader::read_guard(const Node& node, std::vector<Guard>& guards, Outline& outline) {
   static const std::vector<std::string> kKinds = {"pause_if", "fail_if"};
   if (node.kind != Node::Kind::map || node.entries.size() != 1) {
-    mistakes_.add(
+    diagnostics_.add(
         fault::wrong_kind, node.place,
         fmt::format("a guard must be one 'pause_if' or 'fail_if', but is {}", node.describe()),
         "write '- fail_if: {battery_below: 20 %}'");
@@ -170,15 +172,15 @@ void ScriptReader::read_guard(const Node& node, std::vector<Guard>& guards, Outl
   if (std::find(kKinds.begin(), kKinds.end(), entry.key) == kKinds.end()) {
     std::string hint = config::suggest(entry.key, kKinds);
     if (hint.empty()) hint = "known: pause_if, fail_if";
-    mistakes_.add(fault::unknown_key, entry.key_place, fmt::format("unknown guard '{}'", entry.key),
-                  hint);
+    diagnostics_.add(fault::unknown_key, entry.key_place,
+                     fmt::format("unknown guard '{}'", entry.key), hint);
     return;
   }
   Guard guard;
   guard.kind = entry.key == kKinds[0] ? Guard::Kind::pause_if : Guard::Kind::fail_if;
   guard.line = node.place.line;
   guard.text = condition_text(entry.value);
-  guard.condition = read_condition(entry.value, mistakes_);
+  guard.condition = read_condition(entry.value, diagnostics_);
   Outline shown;
   shown.kind = Outline::Kind::guard;
   shown.name = entry.key;
@@ -201,7 +203,7 @@ void ScriptReader::build(const Node* always, const Node& steps, const Node* fina
     guards = read_always(*always, shown);
     outline.children.push_back(std::move(shown));
   }
-  StepReader reader(context_, mistakes_);
+  StepReader reader(context_, diagnostics_);
   Branch doing = reader.sequence(steps, "do");
   Branch ending;
   script_.flow = doing.flow;
@@ -217,4 +219,4 @@ void ScriptReader::build(const Node* always, const Node& steps, const Node* fina
       std::make_unique<ScopeNode>(std::move(guards), std::move(doing.node), std::move(ending.node));
 }
 
-}  // namespace striate
+}  // namespace striate::tasks

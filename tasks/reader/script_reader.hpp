@@ -4,11 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "config/map_reader.hpp"
-#include "tasks/reader/step_reader.hpp"
-#include "tasks/reader/variables.hpp"
+#include "striate/config/map_reader.hpp"
+#include "striate/tasks/reader/step_reader.hpp"
+#include "striate/tasks/reader/variables.hpp"
 
-namespace striate {
+namespace striate::tasks {
 
 /// One file as it was read.
 struct Script {
@@ -23,8 +23,8 @@ struct Script {
 class ScriptReader {
  public:
   /// @param given values of parameters and variables.
-  ScriptReader(ReadContext& context, const Variables& given, config::Mistakes& mistakes)
-      : context_(context), given_(given), mistakes_(mistakes) {}
+  ScriptReader(ReadContext& context, const Variables& given, config::Diagnostics& diagnostics)
+      : context_(context), given_(given), diagnostics_(diagnostics) {}
 
   Script read(config::Node root);
 
@@ -43,8 +43,8 @@ class ScriptReader {
 
   ReadContext& context_;
   const Variables& given_;
-  config::Mistakes& mistakes_;
+  config::Diagnostics& diagnostics_;
   Script script_;
 };
 
-}  // namespace striate
+}  // namespace striate::tasks

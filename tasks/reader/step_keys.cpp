@@ -1,16 +1,17 @@
 #include <fmt/format.h>
 
-#include "config/map_reader.hpp"
-#include "tasks/fault.hpp"
-#include "tasks/nodes/limited_node.hpp"
-#include "tasks/nodes/only_if_node.hpp"
-#include "tasks/nodes/optional_node.hpp"
-#include "tasks/nodes/recover_node.hpp"
-#include "tasks/reader/step_reader.hpp"
+#include "striate/config/map_reader.hpp"
+#include "striate/tasks/condition_registry.hpp"
+#include "striate/tasks/fault.hpp"
+#include "striate/tasks/nodes/limited_node.hpp"
+#include "striate/tasks/nodes/only_if_node.hpp"
+#include "striate/tasks/nodes/optional_node.hpp"
+#include "striate/tasks/nodes/recover_node.hpp"
+#include "striate/tasks/reader/step_reader.hpp"
 
 /// What the keys beside an action make of its step: until, within, if_it_fails, optional, only_if,
 /// unless. Each puts a node round the branch.
-namespace striate {
+namespace striate::tasks {
 namespace {
 
 using config::Node;
@@ -23,14 +24,14 @@ const Node* value_of(const Node& step, const char* key) {
 }
 
 /// `until: {after: 20 s}` with `within: 10 s` is never reached.
-void check_order(const Node& until, double within_s, config::Mistakes& mistakes) {
+void check_order(const Node& until, double within_s, config::Diagnostics& diagnostics) {
   if (until.entries.size() != 1 || until.entries.front().key != "after") return;
-  config::Mistakes unheard(mistakes.file());
+  config::Diagnostics unheard(diagnostics.file());
   const auto after_s = config::read_quantity(until.entries.front().value, config::Unit::duration,
                                              {0.0, 86400.0}, unheard);
   if (!after_s || *after_s <= within_s) return;
-  mistakes.add(fault::unreachable, until.entries.front().key_place,
-               "this is never reached: 'within' is over before", "make 'within' longer");
+  diagnostics.add(fault::unreachable, until.entries.front().key_place,
+                  "this is never reached: 'within' is over before", "make 'within' longer");
 }
 
 }  // namespace
@@ -39,15 +40,15 @@ void StepReader::limit(const Node& step, Branch& branch) {
   Limits limits;
   const Node* until = value_of(step, "until");
   if (until != nullptr) {
-    limits.until = read_condition(*until, mistakes_);
+    limits.until = read_condition(*until, diagnostics_);
     branch.outline.until = condition_text(*until);
     branch.flow.succeeds = true;
   }
   if (const Node* within = value_of(step, "within")) {
     const auto within_s =
-        config::read_quantity(*within, config::Unit::duration, kWithin_s, mistakes_);
+        config::read_quantity(*within, config::Unit::duration, kWithin_s, diagnostics_);
     if (within_s) limits.within = from_seconds(*within_s);
-    if (within_s && until != nullptr) check_order(*until, *within_s, mistakes_);
+    if (within_s && until != nullptr) check_order(*until, *within_s, diagnostics_);
     branch.outline.within = within->text;
     branch.flow.fails = true;
   }
@@ -61,14 +62,14 @@ void StepReader::recover(const Node& step, Branch& branch) {
   if (entry == nullptr) return;
   int tries = 1;
   Branch recovery;
-  config::MapReader map(entry->value, "if_it_fails", mistakes_);
+  config::MapReader map(entry->value, "if_it_fails", diagnostics_);
   map.integer("tries", tries, {1, 100});
   if (map.require("do")) recovery = sequence(*map.raw("do"), "do", true);
   map.finish();
   if (!branch.flow.fails) {
-    mistakes_.add(fault::unreachable, entry->key_place,
-                  fmt::format("this is never reached: {} never fails", branch.outline.name),
-                  "leave it away, or give the step a 'within:'");
+    diagnostics_.add(fault::unreachable, entry->key_place,
+                     fmt::format("this is never reached: {} never fails", branch.outline.name),
+                     "leave it away, or give the step a 'within:'");
   }
   recovery.outline.kind = Outline::Kind::recovery;
   recovery.outline.name = entry->key;
@@ -82,7 +83,7 @@ void StepReader::recover(const Node& step, Branch& branch) {
 }
 
 void StepReader::make_optional(const Node& step, Branch& branch) {
-  config::MapReader map(step, "a step", mistakes_);
+  config::MapReader map(step, "a step", diagnostics_);
   bool optional = false;
   if (!map.flag("optional", optional) || !optional) return;
   branch.outline.optional = true;
@@ -98,11 +99,11 @@ void StepReader::guard(const Node& step, Branch& branch) {
   std::unique_ptr<Condition> wanted;
   std::unique_ptr<Condition> unwanted;
   if (only_if != nullptr) {
-    wanted = read_condition(*only_if, mistakes_);
+    wanted = read_condition(*only_if, diagnostics_);
     branch.outline.only_if = condition_text(*only_if);
   }
   if (unless != nullptr) {
-    unwanted = read_condition(*unless, mistakes_);
+    unwanted = read_condition(*unless, diagnostics_);
     branch.outline.unless = condition_text(*unless);
   }
   branch.flow.skips = true;
@@ -111,4 +112,4 @@ void StepReader::guard(const Node& step, Branch& branch) {
       std::make_unique<OnlyIfNode>(std::move(branch.node), std::move(wanted), std::move(unwanted));
 }
 
-}  // namespace striate
+}  // namespace striate::tasks

@@ -3,13 +3,13 @@
 #include <string>
 #include <vector>
 
-#include "config/mistakes.hpp"
-#include "config/node.hpp"
-#include "platform/interface/robot.hpp"
-#include "tasks/reader/branch.hpp"
-#include "tasks/task_reader.hpp"
+#include "striate/config/diagnostics.hpp"
+#include "striate/config/node.hpp"
+#include "striate/platform/interface/robot.hpp"
+#include "striate/tasks/reader/branch.hpp"
+#include "striate/tasks/task_reader.hpp"
 
-namespace striate {
+namespace striate::tasks {
 
 /// What is the same for a script and all that it uses.
 struct ReadContext {
@@ -26,8 +26,8 @@ struct ReadContext {
 /// Reads the steps of one file.
 class StepReader {
  public:
-  StepReader(ReadContext& context, config::Mistakes& mistakes)
-      : context_(context), mistakes_(mistakes) {}
+  StepReader(ReadContext& context, config::Diagnostics& diagnostics)
+      : context_(context), diagnostics_(diagnostics) {}
 
   /// A list of steps as a sequence. `keep_going`: a failed one does not end it.
   Branch sequence(const config::Node& list, const std::string& key, bool keep_going = false);
@@ -51,10 +51,10 @@ class StepReader {
   void guard(const config::Node& step, Branch& branch);
 
   ReadContext& context_;
-  config::Mistakes& mistakes_;
+  config::Diagnostics& diagnostics_;
 };
 
 /// A step `use: file` with its `with`: the other file read with these parameters.
-Branch read_use(const config::Node& step, ReadContext& context, config::Mistakes& mistakes);
+Branch read_use(const config::Node& step, ReadContext& context, config::Diagnostics& diagnostics);
 
-}  // namespace striate
+}  // namespace striate::tasks

@@ -1,18 +1,19 @@
-#include "tasks/task_reader.hpp"
+#include "striate/tasks/task_reader.hpp"
 
 #include <filesystem>
 
-#include "tasks/reader/script_reader.hpp"
+#include "striate/config/yaml.hpp"
+#include "striate/tasks/reader/script_reader.hpp"
 
-namespace striate {
+namespace striate::tasks {
 namespace {
 
-using config::Mistakes;
+using config::Diagnostics;
 using config::Node;
 
-Task read(Node root, ReadContext& context, const GivenVariables& given, Mistakes& mistakes) {
+Task read(Node root, ReadContext& context, const GivenVariables& given, Diagnostics& diagnostics) {
   std::error_code code;
-  context.files.push_back(std::filesystem::weakly_canonical(mistakes.file(), code).string());
+  context.files.push_back(std::filesystem::weakly_canonical(diagnostics.file(), code).string());
   context.read = context.files;
   Variables variables;
   for (const auto& [name, text] : given) {
@@ -21,15 +22,15 @@ Task read(Node root, ReadContext& context, const GivenVariables& given, Mistakes
     variable.value.text = text;
     variable.origin = "given from outside";
   }
-  Task task = std::move(ScriptReader(context, variables, mistakes).read(std::move(root)).task);
+  Task task = std::move(ScriptReader(context, variables, diagnostics).read(std::move(root)).task);
   task.files = context.read;
   return task;
 }
 
 Task load(const std::string& file, ReadContext& context, const GivenVariables& given) {
-  Mistakes mistakes(file, 'T');
-  Task task = read(load_yaml(mistakes), context, given, mistakes);
-  mistakes.throw_if_any();
+  Diagnostics diagnostics(file, 'T');
+  Task task = read(load_yaml(diagnostics), context, given, diagnostics);
+  diagnostics.throw_if_any();
   return task;
 }
 
@@ -50,10 +51,10 @@ Task check_task(const std::string& file, const RobotDescription& robot,
   return load(file, context, {});
 }
 
-Task read_task(const std::string& text, Mistakes& mistakes, const RobotDescription& robot,
+Task read_task(const std::string& text, Diagnostics& diagnostics, const RobotDescription& robot,
                const GivenVariables& given) {
   ReadContext context(robot);
-  return read(parse_yaml(text, mistakes), context, given, mistakes);
+  return read(parse_yaml(text, diagnostics), context, given, diagnostics);
 }
 
-}  // namespace striate
+}  // namespace striate::tasks

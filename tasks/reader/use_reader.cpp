@@ -3,14 +3,15 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "config/map_reader.hpp"
-#include "tasks/fault.hpp"
-#include "tasks/reader/script_reader.hpp"
+#include "striate/config/map_reader.hpp"
+#include "striate/config/yaml.hpp"
+#include "striate/tasks/fault.hpp"
+#include "striate/tasks/reader/script_reader.hpp"
 
-namespace striate {
+namespace striate::tasks {
 namespace {
 
-using config::Mistakes;
+using config::Diagnostics;
 using config::Node;
 namespace fs = std::filesystem;
 
@@ -19,8 +20,8 @@ constexpr std::size_t kDeepest = 8;  ///< by hand: files that use each other; mo
 /// Reads the file that a step uses, with the step's parameters.
 class UseReader {
  public:
-  UseReader(const Node& step, ReadContext& context, Mistakes& mistakes)
-      : step_(step), use_(*step.find("use")), context_(context), mistakes_(mistakes) {}
+  UseReader(const Node& step, ReadContext& context, Diagnostics& diagnostics)
+      : step_(step), use_(*step.find("use")), context_(context), diagnostics_(diagnostics) {}
 
   Branch read() {
     Branch branch;
@@ -28,7 +29,7 @@ class UseReader {
     branch.outline.name = use_.value.text;
     read_with(branch.outline);
     if (!find_file()) return branch;
-    Mistakes of_file(file_, mistakes_.letter());
+    Diagnostics of_file(file_, diagnostics_.letter());
     context_.files.push_back(identity_);
     if (std::find(context_.read.begin(), context_.read.end(), identity_) == context_.read.end()) {
       context_.read.push_back(identity_);
@@ -47,20 +48,20 @@ class UseReader {
     const Node::Entry* with = step_.find("with");
     if (with == nullptr) return;
     if (with->value.kind != Node::Kind::map) {
-      mistakes_.add(fault::wrong_kind, with->value.place,
-                    fmt::format("'with' must be a map, but is {}", with->value.describe()),
-                    "write with: {speed: 0.4 m/s}");
+      diagnostics_.add(fault::wrong_kind, with->value.place,
+                       fmt::format("'with' must be a map, but is {}", with->value.describe()),
+                       "write with: {speed: 0.4 m/s}");
       return;
     }
     for (const Node::Entry& entry : with->value.entries) {
       if (entry.value.kind != Node::Kind::scalar) {
-        mistakes_.add(fault::bad_variable, entry.value.place,
-                      fmt::format("the parameter '{}' must be one value", entry.key));
+        diagnostics_.add(fault::bad_variable, entry.value.place,
+                         fmt::format("the parameter '{}' must be one value", entry.key));
       }
       Variable& variable = given_[entry.key];
       variable.value = entry.value;
       variable.value.open = entry.value.open || entry.value.kind != Node::Kind::scalar;
-      variable.origin = fmt::format("given in {}:{}", mistakes_.file(), entry.value.place.line);
+      variable.origin = fmt::format("given in {}:{}", diagnostics_.file(), entry.value.place.line);
       outline.arguments.emplace_back(entry.key, entry.value.text);
     }
   }
@@ -69,15 +70,15 @@ class UseReader {
   bool find_file() {
     const Node& name = use_.value;
     if (name.kind != Node::Kind::scalar || name.text.empty() || name.open) {
-      mistakes_.add(fault::wrong_kind, name.place, "'use' must be the name of a task file",
-                    "write '- use: return.yaml'");
+      diagnostics_.add(fault::wrong_kind, name.place, "'use' must be the name of a task file",
+                       "write '- use: return.yaml'");
       return false;
     }
-    const fs::path path = fs::path(mistakes_.file()).parent_path() / name.text;
+    const fs::path path = fs::path(diagnostics_.file()).parent_path() / name.text;
     std::error_code code;
     if (!fs::is_regular_file(path, code)) {
-      mistakes_.add(fault::unknown_file, name.place,
-                    fmt::format("there is no task file '{}'", name.text), near_name(path));
+      diagnostics_.add(fault::unknown_file, name.place,
+                       fmt::format("there is no task file '{}'", name.text), near_name(path));
       return false;
     }
     file_ = path.lexically_normal().string();
@@ -94,16 +95,16 @@ class UseReader {
       chain += fs::path(*file).filename().string() + " uses ";
     }
     chain += fs::path(identity_).filename().string();
-    mistakes_.add(fault::uses_itself, use_.value.place,
-                  fmt::format("a task must not use itself: {}", chain),
-                  "write 'repeat' for what is to be done again");
+    diagnostics_.add(fault::uses_itself, use_.value.place,
+                     fmt::format("a task must not use itself: {}", chain),
+                     "write 'repeat' for what is to be done again");
     return true;
   }
 
   bool too_deep() {
     if (context_.files.size() < kDeepest) return false;
-    mistakes_.add(fault::too_large, use_.value.place,
-                  fmt::format("more than {} files that use each other", kDeepest));
+    diagnostics_.add(fault::too_large, use_.value.place,
+                     fmt::format("more than {} files that use each other", kDeepest));
     return true;
   }
 
@@ -120,8 +121,8 @@ class UseReader {
     return hint.empty() ? "the path counts from the file that uses it" : hint;
   }
 
-  /// Mistakes of values that `with` gave belong to the file that gave them.
-  void tell(const Script& script, Mistakes& of_file) {
+  /// Diagnostics of values that `with` gave belong to the file that gave them.
+  void tell(const Script& script, Diagnostics& of_file) {
     const Node::Entry* with = step_.find("with");
     for (const auto& [name, variable] : given_) {
       const Node::Entry* entry = with->value.find(name);
@@ -130,34 +131,34 @@ class UseReader {
         if (!of_file.none() && script.parameters.empty()) continue;
         std::string hint = config::suggest(name, script.parameters);
         if (hint.empty()) hint = fmt::format("known: {}", fmt::join(script.parameters, ", "));
-        mistakes_.add(fault::unknown_parameter, entry->key_place,
-                      fmt::format("{} has no parameter '{}'", use_.value.text, name), hint);
+        diagnostics_.add(fault::unknown_parameter, entry->key_place,
+                         fmt::format("{} has no parameter '{}'", use_.value.text, name), hint);
       }
       for (const Substitution& done : script.substitutions) {
-        if (done.name == name) move_mistakes(of_file, done, entry->value.place);
+        if (done.name == name) move_diagnostics(of_file, done, entry->value.place);
       }
     }
     for (const std::string& name : script.missing) {
-      mistakes_.add(fault::missing_parameter, use_.value.place,
-                    fmt::format("{} needs the parameter '{}'", use_.value.text, name),
-                    fmt::format("add with: {{{}: ...}}", name));
+      diagnostics_.add(fault::missing_parameter, use_.value.place,
+                       fmt::format("{} needs the parameter '{}'", use_.value.text, name),
+                       fmt::format("add with: {{{}: ...}}", name));
     }
-    mistakes_.include(of_file);
+    diagnostics_.include(of_file);
   }
 
-  void move_mistakes(Mistakes& of_file, const Substitution& done, config::Place to) {
-    for (config::Mistake& mistake : of_file.take_at(done.place)) {
+  void move_diagnostics(Diagnostics& of_file, const Substitution& done, config::SourceLocation to) {
+    for (config::Diagnostic& diagnostic : of_file.take_at(done.place)) {
       std::string hint = fmt::format("used as ${} in {}:{}:{}", done.name, file_, done.place.line,
                                      done.place.column);
-      if (!mistake.hint.empty()) hint.insert(0, mistake.hint + "\n    ");
-      mistakes_.add(mistake.fault, to, std::move(mistake.message), std::move(hint));
+      if (!diagnostic.hint.empty()) hint.insert(0, diagnostic.hint + "\n    ");
+      diagnostics_.add(diagnostic.fault, to, std::move(diagnostic.message), std::move(hint));
     }
   }
 
   const Node& step_;
   const Node::Entry& use_;
   ReadContext& context_;
-  Mistakes& mistakes_;
+  Diagnostics& diagnostics_;
   Variables given_;
   std::string file_;
   std::string identity_;
@@ -165,8 +166,8 @@ class UseReader {
 
 }  // namespace
 
-Branch read_use(const Node& step, ReadContext& context, Mistakes& mistakes) {
-  return UseReader(step, context, mistakes).read();
+Branch read_use(const Node& step, ReadContext& context, Diagnostics& diagnostics) {
+  return UseReader(step, context, diagnostics).read();
 }
 
-}  // namespace striate
+}  // namespace striate::tasks

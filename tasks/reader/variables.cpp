@@ -1,19 +1,19 @@
-#include "tasks/reader/variables.hpp"
+#include "striate/tasks/reader/variables.hpp"
 
 #include <fmt/format.h>
 
-#include "config/quantity.hpp"
-#include "tasks/fault.hpp"
+#include "striate/config/quantity.hpp"
+#include "striate/tasks/fault.hpp"
 
-namespace striate {
+namespace striate::tasks {
 namespace {
 
 using config::Node;
 
 class Substituter {
  public:
-  Substituter(const Variables& variables, config::Mistakes& mistakes)
-      : variables_(variables), mistakes_(mistakes) {}
+  Substituter(const Variables& variables, config::Diagnostics& diagnostics)
+      : variables_(variables), diagnostics_(diagnostics) {}
 
   void replace(Node& node) {
     for (Node& item : node.items) replace(item);
@@ -35,8 +35,8 @@ class Substituter {
     if (!value.open) {
       node.text = value.text;
       node.quoted = value.quoted;
-      mistakes_.note(node.place,
-                     fmt::format("${} is '{}', {}", name, value.text, found->second.origin));
+      diagnostics_.note(node.place,
+                        fmt::format("${} is '{}', {}", name, value.text, found->second.origin));
     }
     node.open = value.open;
     done.push_back({node.place, name});
@@ -49,22 +49,22 @@ class Substituter {
     for (const auto& [key, value] : variables_) known.push_back(key);
     std::string hint = config::suggest(name, known);
     if (hint.empty()) hint = fmt::format("add it: vars: {{{}: ...}}", name);
-    mistakes_.add(fault::unknown_variable, node.place, fmt::format("unknown variable '${}'", name),
-                  hint);
+    diagnostics_.add(fault::unknown_variable, node.place,
+                     fmt::format("unknown variable '${}'", name), hint);
   }
 
   const Variables& variables_;
-  config::Mistakes& mistakes_;
+  config::Diagnostics& diagnostics_;
 };
 
 }  // namespace
 
-Variables read_variables(const Node& node, config::Mistakes& mistakes) {
+Variables read_variables(const Node& node, config::Diagnostics& diagnostics) {
   Variables variables;
   if (node.kind != Node::Kind::map) {
-    mistakes.add(fault::wrong_kind, node.place,
-                 fmt::format("vars must be a map, but is {}", node.describe()),
-                 "write vars: {cruise: 0.4 m/s}");
+    diagnostics.add(fault::wrong_kind, node.place,
+                    fmt::format("vars must be a map, but is {}", node.describe()),
+                    "write vars: {cruise: 0.4 m/s}");
     return variables;
   }
   for (const Node::Entry& entry : node.entries) {
@@ -73,13 +73,13 @@ Variables read_variables(const Node& node, config::Mistakes& mistakes) {
     variable.value = entry.value;
     variable.origin = fmt::format("set in line {}", entry.value.place.line);
     if (entry.value.kind != Node::Kind::scalar) {
-      mistakes.add(fault::bad_variable, entry.value.place,
-                   fmt::format("the variable '{}' must be one value, but is {}", entry.key,
-                               entry.value.describe()));
+      diagnostics.add(fault::bad_variable, entry.value.place,
+                      fmt::format("the variable '{}' must be one value, but is {}", entry.key,
+                                  entry.value.describe()));
       variable.value.open = true;
     } else if (!entry.value.text.empty() && entry.value.text[0] == '$') {
-      mistakes.add(fault::bad_variable, entry.value.place,
-                   "a variable cannot be made of another one", "write its value out");
+      diagnostics.add(fault::bad_variable, entry.value.place,
+                      "a variable cannot be made of another one", "write its value out");
       variable.value.open = true;
     }
   }
@@ -87,10 +87,10 @@ Variables read_variables(const Node& node, config::Mistakes& mistakes) {
 }
 
 std::vector<Substitution> substitute(Node& node, const Variables& variables,
-                                     config::Mistakes& mistakes) {
-  Substituter substituter(variables, mistakes);
+                                     config::Diagnostics& diagnostics) {
+  Substituter substituter(variables, diagnostics);
   substituter.replace(node);
   return std::move(substituter.done);
 }
 
-}  // namespace striate
+}  // namespace striate::tasks

@@ -2,7 +2,7 @@
 
 #include <string>
 
-namespace striate {
+namespace striate::tasks {
 
 /// Text as XML and SVG want it; control characters, which XML does not allow, become '?'.
 [[nodiscard]] inline std::string escaped(const std::string& text) {
@@ -28,4 +28,4 @@ namespace striate {
   return out;
 }
 
-}  // namespace striate
+}  // namespace striate::tasks

@@ -4,9 +4,9 @@
 #include <utility>
 #include <vector>
 
-#include "config/mistakes.hpp"
+#include "striate/config/diagnostics.hpp"
 
-namespace striate {
+namespace striate::tasks {
 
 /// A task as a person draws it: one outline a step, with what it says about itself. Made by the
 /// reader beside the tree that runs; text, SVG and XML are drawn from it.
@@ -35,13 +35,13 @@ struct Outline {
   std::string within;
   bool optional = false;
   int times = 0;  ///< of a repeat (0: for ever) and of a recovery
-  config::Place place;
+  config::SourceLocation place;
   std::vector<Outline> children;
 };
 
 /// The tree in lines of text, for a terminal.
 [[nodiscard]] std::string text_tree(const Outline& task);
-/// A picture of the tree.
+/// A image of the tree.
 [[nodiscard]] std::string svg_tree(const Outline& task);
 /// The tree for editors that read the XML of BehaviorTree.CPP 4, with a model of every node that
 /// it does not know by itself.
@@ -52,4 +52,4 @@ struct Outline {
 /// How it may end or be skipped: "until progress: 5 m, within 4 min"; empty where nothing is said.
 [[nodiscard]] std::string limits_of(const Outline& node);
 
-}  // namespace striate
+}  // namespace striate::tasks

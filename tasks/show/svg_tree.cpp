@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include "tasks/show/escape.hpp"
-#include "tasks/show/outline.hpp"
+#include "striate/tasks/show/escape.hpp"
+#include "striate/tasks/show/outline.hpp"
 
-namespace striate {
+namespace striate::tasks {
 namespace {
 
 // By hand, px of the drawing: a row of 12 px letters with room above and below, its box, the step
@@ -92,4 +92,4 @@ std::string svg_tree(const Outline& task) {
   return drawing.file();
 }
 
-}  // namespace striate
+}  // namespace striate::tasks

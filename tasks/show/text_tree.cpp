@@ -1,6 +1,6 @@
-#include "tasks/show/outline.hpp"
+#include "striate/tasks/show/outline.hpp"
 
-namespace striate {
+namespace striate::tasks {
 namespace {
 
 void draw(const Outline& node, const std::string& before, std::string& text) {
@@ -23,4 +23,4 @@ std::string text_tree(const Outline& task) {
   return text;
 }
 
-}  // namespace striate
+}  // namespace striate::tasks

@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 
-#include "tasks/show/outline.hpp"
+#include "striate/tasks/show/outline.hpp"
 
-namespace striate {
+namespace striate::tasks {
 namespace {
 
 std::string arguments_of(const Outline& node) {
@@ -55,4 +55,4 @@ std::string limits_of(const Outline& node) {
   return text;
 }
 
-}  // namespace striate
+}  // namespace striate::tasks

@@ -3,11 +3,11 @@
 #include <map>
 #include <set>
 
-#include "config/quantity.hpp"
-#include "tasks/show/escape.hpp"
-#include "tasks/show/outline.hpp"
+#include "striate/config/quantity.hpp"
+#include "striate/tasks/show/escape.hpp"
+#include "striate/tasks/show/outline.hpp"
 
-namespace striate {
+namespace striate::tasks {
 namespace {
 
 using Ports = std::set<std::string>;
@@ -129,7 +129,7 @@ class XmlWriter {
   }
 
   static std::string milliseconds(const std::string& duration) {
-    config::Mistakes unheard("");
+    config::Diagnostics unheard("");
     config::Node node;
     node.kind = config::Node::Kind::scalar;
     node.text = duration;
@@ -184,4 +184,4 @@ std::string xml_tree(const Outline& task) {
   return XmlWriter().file(task);
 }
 
-}  // namespace striate
+}  // namespace striate::tasks

@@ -5,12 +5,12 @@
 #include <cstdlib>
 #include <vector>
 
-#include "app/cognitive_cycle.hpp"
-#include "app/mission.hpp"
-#include "app/robot_settings.hpp"
-#include "app/simulated_body.hpp"
-#include "memory/long_term/memory_writer.hpp"
-#include "tasks/task_reader.hpp"
+#include "striate/agent/cognitive_cycle.hpp"
+#include "striate/agent/mission.hpp"
+#include "striate/agent/robot_settings.hpp"
+#include "striate/agent/simulated_body.hpp"
+#include "striate/memory/long_term/memory_writer.hpp"
+#include "striate/tasks/task_reader.hpp"
 #include "tests/reference/temporary_folder.hpp"
 
 /// committing_benchmark [CYCLES] [TURNS]: how long a cycle of the robot takes without a long-term
@@ -46,17 +46,17 @@ class Remembered : public Robot {
   Stopped clock_;
 };
 
-MissionOptions mission() {
-  MissionOptions options;
+agent::MissionOptions mission() {
+  agent::MissionOptions options;
   options.task = STRIATE_SOURCE_DIR "/config/tasks/corridor.yaml";
   return options;
 }
 
 std::vector<Senses> sensed(std::size_t cycles) {
   std::vector<Senses> all;
-  Mission drive(mission(),
-                simulated_pioneer({.world = STRIATE_SOURCE_DIR "/config/worlds/short.yaml"}));
-  drive.run([&](const Mission& now) {
+  agent::Mission drive(mission(), agent::simulated_pioneer(
+                                      {.world = STRIATE_SOURCE_DIR "/config/worlds/short.yaml"}));
+  drive.run([&](const agent::Mission& now) {
     all.push_back(now.cycle().trace().senses);
     all.back().stereo.left = all.back().stereo.left.clone();
     all.back().stereo.right = all.back().stereo.right.clone();
@@ -69,8 +69,8 @@ class Turn {
  public:
   explicit Turn(const std::vector<Senses>& senses)
       : robot_({}, senses),
-        settings_(load_robot_settings("")),
-        executive_(load_task(mission().task, {}, {{"way", "100 m"}})),
+        settings_(agent::load_robot_settings("")),
+        executive_(tasks::load_task(mission().task, {}, {{"way", "100 m"}})),
         cycle_(robot_, settings_, executive_) {}
 
   /// Milliseconds of each cycle.
@@ -89,9 +89,9 @@ class Turn {
 
  private:
   Remembered robot_;
-  RobotSettings settings_;
-  Executive executive_;
-  CognitiveCycle cycle_;
+  agent::RobotSettings settings_;
+  tasks::Executive executive_;
+  agent::CognitiveCycle cycle_;
 };
 
 double percentile(std::vector<double>& values, double share) {
@@ -103,21 +103,21 @@ double percentile(std::vector<double>& values, double share) {
 int run(std::size_t cycles, int turns) {
   const reference::TemporaryFolder folder;
   const std::vector<Senses> senses = sensed(cycles);
-  MemoryOptions options;
-  options.access = Access::session;
+  memory::MemoryOptions options;
+  options.access = memory::Access::session;
   std::vector<double> without_ms, with_ms;
   for (int turn = 0; turn < turns; ++turn) {
     Turn(senses).run(without_ms, [] {});
-    MemoryWriter writer(folder / fmt::format("{}.db", turn), options);
+    memory::MemoryWriter writer(folder / fmt::format("{}.db", turn), options);
     std::int64_t session = 0;
-    writer.commit([&](MemoryTables& tables) {
-      session = tables.sessions.begin(SessionKind::mission, "benchmark", "", 0).id;
+    writer.commit([&](memory::MemoryTables& tables) {
+      session = tables.sessions.begin(memory::SessionKind::mission, "benchmark", "", 0).id;
     });
     double now_s = 0.0;
     Turn(senses).run(with_ms, [&] {
       now_s += 0.1;
-      writer.post([session, now_s](MemoryTables& tables) {
-        Episode episode;
+      writer.post([session, now_s](memory::MemoryTables& tables) {
+        memory::Episode episode;
         episode.session = session;
         episode.time_s = now_s;
         episode.kind = "seen";

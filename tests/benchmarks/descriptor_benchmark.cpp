@@ -3,12 +3,12 @@
 
 #include <opencv2/features2d.hpp>
 
-#include "perception/recognition/oriented_keypoints.hpp"
-#include "tests/benchmarks/one_picture.hpp"
+#include "striate/perception/recognition/oriented_keypoints.hpp"
+#include "tests/benchmarks/one_image.hpp"
 
 /// descriptor_benchmark [PICTURE]: Striate's own descriptor of given frames at 640x480 beside ORB's
 /// and BRISK's, and keypoints with descriptors; one core, methods in turns, ratios to ORB. Without
-/// a picture a texture made by rule is used.
+/// an image a texture made by rule is used.
 namespace striate {
 namespace {
 
@@ -16,69 +16,69 @@ constexpr int kFrames = 300;
 const char* const kYardstick = "ORB describes 300";
 
 /// The strongest keypoints of one scale, as the robot has them, or of many.
-std::vector<Keypoint> some_keypoints(const cv::Mat1b& picture, int scales) {
-  KeypointSettings settings;
+std::vector<perception::Keypoint> some_keypoints(const cv::Mat1b& image, int scales) {
+  perception::KeypointSettings settings;
   settings.scales = scales;
   settings.most = kFrames;
-  return find_keypoints(picture, settings);
+  return perception::find_keypoints(image, settings);
 }
 
-void describe(benchmark::State& state, const cv::Mat1b& picture, int scales) {
-  OrientedKeypoints oriented(OrientedSettings{});
-  const std::vector<Keypoint> found = some_keypoints(picture, scales);
-  std::vector<Keypoint> described;
+void describe(benchmark::State& state, const cv::Mat1b& image, int scales) {
+  perception::OrientedKeypoints oriented(perception::OrientedSettings{});
+  const std::vector<perception::Keypoint> found = some_keypoints(image, scales);
+  std::vector<perception::Keypoint> described;
   for (auto _ : state) {
-    oriented.describe(picture, found, described);
+    oriented.describe(image, found, described);
     benchmark::DoNotOptimize(described.data());
   }
   state.counters["described"] = static_cast<double>(described.size());
 }
 
 /// The same frames, angles as given.
-void opencv_describes(benchmark::State& state, const cv::Mat1b& picture,
+void opencv_describes(benchmark::State& state, const cv::Mat1b& image,
                       const cv::Ptr<cv::Feature2D>& method) {
   std::vector<cv::KeyPoint> points;
-  for (const Keypoint& point : some_keypoints(picture, 1)) {
+  for (const perception::Keypoint& point : some_keypoints(image, 1)) {
     points.emplace_back(static_cast<float>(point.u_px), static_cast<float>(point.v_px), 31.0F, 0.0F,
                         1.0F, 0);
   }
   cv::Mat rows;
   for (auto _ : state) {
     std::vector<cv::KeyPoint> of_this_run = points;
-    method->compute(picture, of_this_run, rows);
+    method->compute(image, of_this_run, rows);
     benchmark::DoNotOptimize(rows.data);
   }
   state.counters["described"] = rows.rows;
 }
 
-void find_and_describe(benchmark::State& state, const cv::Mat1b& picture, int scales) {
-  OrientedSettings settings;
+void find_and_describe(benchmark::State& state, const cv::Mat1b& image, int scales) {
+  perception::OrientedSettings settings;
   if (scales == 1) settings.keypoints = {};
   settings.keypoints.most = 500;
-  OrientedKeypoints oriented(settings);
-  std::vector<Keypoint> found;
+  perception::OrientedKeypoints oriented(settings);
+  std::vector<perception::Keypoint> found;
   for (auto _ : state) {
-    oriented.find(picture, found);
+    oriented.find(image, found);
     benchmark::DoNotOptimize(found.data());
   }
   state.counters["described"] = static_cast<double>(found.size());
 }
 
-void opencv_finds(benchmark::State& state, const cv::Mat1b& picture,
+void opencv_finds(benchmark::State& state, const cv::Mat1b& image,
                   const cv::Ptr<cv::Feature2D>& method) {
   std::vector<cv::KeyPoint> points;
   cv::Mat rows;
   for (auto _ : state) {
-    method->detectAndCompute(picture, cv::noArray(), points, rows);
+    method->detectAndCompute(image, cv::noArray(), points, rows);
     benchmark::DoNotOptimize(rows.data);
   }
   state.counters["described"] = rows.rows;
 }
 
-void register_all(const cv::Mat1b& picture) {
+void register_all(const cv::Mat1b& image) {
   auto add = [&](const char* name, const auto& function, const auto& what) {
     benchmark::RegisterBenchmark(name, [=](auto& state) {
-      function(state, picture, what);
+      function(state, image, what);
     })->Unit(benchmark::kMillisecond);
   };
   const cv::Ptr<cv::Feature2D> orb = cv::ORB::create(500), brisk = cv::BRISK::create();
@@ -97,6 +97,6 @@ void register_all(const cv::Mat1b& picture) {
 
 int main(int argc, char** argv) {
   striate::InTurns turns(argc, argv, 9, "0.05");
-  return striate::run_on_one_picture(turns, "descriptor_benchmark", striate::register_all,
-                                     striate::kYardstick);
+  return striate::run_on_one_image(turns, "descriptor_benchmark", striate::register_all,
+                                   striate::kYardstick);
 }

@@ -3,11 +3,11 @@
 
 #include <opencv2/features2d.hpp>
 
-#include "perception/keypoints/keypoints.hpp"
-#include "tests/benchmarks/one_picture.hpp"
+#include "striate/perception/keypoints/keypoints.hpp"
+#include "tests/benchmarks/one_image.hpp"
 
 /// keypoint_benchmark [PICTURE]: keypoints with descriptors at 640x480 on one core; without a
-/// picture on a texture made by rule. Methods are run in turns; what counts are the medians of CPU
+/// image on a texture made by rule. Methods are run in turns; what counts are the medians of CPU
 /// time and their ratios within one run. STRIATE_TARGETS (a number, see hwy/targets.h) restricts
 /// the instruction sets of our own code.
 namespace striate {
@@ -15,34 +15,34 @@ namespace {
 
 const char* const kYardstick = "ORB, 500";
 
-void ours(benchmark::State& state, const cv::Mat1b& picture, const KeypointSettings& settings) {
-  KeypointFinder finder(settings);
-  std::vector<Keypoint> found;
+void ours(benchmark::State& state, const cv::Mat1b& image,
+          const perception::KeypointSettings& settings) {
+  perception::KeypointFinder finder(settings);
+  std::vector<perception::Keypoint> found;
   for (auto _ : state) {
-    finder.find(picture, found);
+    finder.find(image, found);
     benchmark::DoNotOptimize(found.data());
   }
   state.counters["found"] = static_cast<double>(found.size());
 }
 
-void opencv(benchmark::State& state, const cv::Mat1b& picture,
-            const cv::Ptr<cv::Feature2D>& method) {
+void opencv(benchmark::State& state, const cv::Mat1b& image, const cv::Ptr<cv::Feature2D>& method) {
   std::vector<cv::KeyPoint> found;
   cv::Mat descriptors;
   for (auto _ : state) {
-    method->detectAndCompute(picture, cv::noArray(), found, descriptors);
+    method->detectAndCompute(image, cv::noArray(), found, descriptors);
     benchmark::DoNotOptimize(descriptors.data);
   }
   state.counters["found"] = static_cast<double>(found.size());
 }
 
-void register_all(const cv::Mat1b& picture) {
+void register_all(const cv::Mat1b& image) {
   auto add = [&](const char* name, const auto& function, const auto& what) {
     benchmark::RegisterBenchmark(name, [=](auto& state) {
-      function(state, picture, what);
+      function(state, image, what);
     })->Unit(benchmark::kMillisecond);
   };
-  KeypointSettings robot, many, fine, scales;
+  perception::KeypointSettings robot, many, fine, scales;
   robot.most = fine.most = 500;
   fine.wavelength_px = scales.wavelength_px = 4.0;
   fine.halve = scales.halve = false;
@@ -60,6 +60,6 @@ void register_all(const cv::Mat1b& picture) {
 
 int main(int argc, char** argv) {
   striate::InTurns turns(argc, argv, 9, "0.05");
-  return striate::run_on_one_picture(turns, "keypoint_benchmark", striate::register_all,
-                                     striate::kYardstick);
+  return striate::run_on_one_image(turns, "keypoint_benchmark", striate::register_all,
+                                   striate::kYardstick);
 }

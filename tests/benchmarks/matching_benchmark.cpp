@@ -7,11 +7,11 @@
 #include <map>
 #include <opencv2/features2d.hpp>
 
-#include "perception/matching/hamming_search.hpp"
-#include "perception/recognition/oriented_keypoints.hpp"
+#include "striate/perception/matching/hamming_search.hpp"
+#include "striate/perception/recognition/oriented_keypoints.hpp"
 #include "tests/benchmarks/in_turns.hpp"
 #include "tests/reference/hamming_reference.hpp"
-#include "tests/reference/test_pictures.hpp"
+#include "tests/reference/test_images.hpp"
 
 /// matching_benchmark: 500 descriptors against 100,000 and 1,000,000 stored ones, distance below
 /// 48, on one core; all instruction sets and OpenCV's brute-force matcher in turns. Checks first
@@ -26,25 +26,25 @@ constexpr std::uint32_t kLimit = 48;
 constexpr int kRowsOfPart = 250'000;
 
 struct Data {
-  std::vector<Descriptor> queries, stored;
-  DescriptorStore store;
+  std::vector<perception::Descriptor> queries, stored;
+  perception::DescriptorStore store;
   cv::Mat query_rows;
   std::vector<cv::Mat> stored_parts;
 };
 
-cv::Mat rows_of(const std::vector<Descriptor>& descriptors) {
+cv::Mat rows_of(const std::vector<perception::Descriptor>& descriptors) {
   cv::Mat rows(static_cast<int>(descriptors.size()), 32, CV_8U);
   std::memcpy(rows.data, descriptors.data(), descriptors.size() * 32);
   return rows;
 }
 
 /// Every other query has a counterpart at distance 30, as when an object is seen again.
-Data complete(std::vector<Descriptor> stored) {
+Data complete(std::vector<perception::Descriptor> stored) {
   Data data;
   data.stored = std::move(stored);
   data.queries = reference::random_descriptors(kQueries, 77);
   for (std::size_t q = 0; q < kQueries; ++q) {
-    const Descriptor& twin = data.stored[q * 151 % data.stored.size()];
+    const perception::Descriptor& twin = data.stored[q * 151 % data.stored.size()];
     data.queries[q] = reference::disturbed(twin, q % 2 == 0 ? 30 : 90, static_cast<unsigned>(q));
   }
   data.store.append(data.stored);
@@ -56,16 +56,16 @@ Data complete(std::vector<Descriptor> stored) {
   return data;
 }
 
-/// Striate's own descriptors of keypoints in made pictures: their bits depend on each other as real
+/// Striate's own descriptors of keypoints in made images: their bits depend on each other as real
 /// ones do.
-std::vector<Descriptor> of_keypoints(std::size_t count) {
-  std::vector<Descriptor> result;
-  OrientedSettings settings;
+std::vector<perception::Descriptor> of_keypoints(std::size_t count) {
+  std::vector<perception::Descriptor> result;
+  perception::OrientedSettings settings;
   settings.keypoints = {};
   settings.keypoints.threshold = 0.0;
-  OrientedKeypoints oriented(settings);
+  perception::OrientedKeypoints oriented(settings);
   for (int seed = 1; result.size() < count; ++seed) {
-    for (const Keypoint& point : oriented(reference::texture({640, 480}, seed))) {
+    for (const perception::Keypoint& point : oriented(reference::texture({640, 480}, seed))) {
       if (result.size() < count) result.push_back(point.descriptor);
     }
   }
@@ -94,8 +94,8 @@ std::vector<cv::DMatch> opencv_nearest(const Data& data) {
 
 /// Both matchers must find the same pairs, and the same nearest below the limit.
 bool same_answers(const Data& data) {
-  HammingSearch search;
-  std::vector<Match> theirs;
+  perception::HammingSearch search;
+  std::vector<perception::Match> theirs;
   for (auto& of_query : opencv_below(data)) {
     std::ranges::sort(of_query, {}, stored_index);
     for (const cv::DMatch& match : of_query) {
@@ -106,9 +106,10 @@ bool same_answers(const Data& data) {
   if (!std::ranges::equal(search.below(data.queries, data.store, kLimit), theirs)) return false;
   const auto nearest = search.nearest_two(data.queries, data.store, kLimit);
   for (const cv::DMatch& match : opencv_nearest(data)) {
-    const NearestTwo& ours = nearest[static_cast<std::size_t>(match.queryIdx)];
+    const perception::NearestTwo& ours = nearest[static_cast<std::size_t>(match.queryIdx)];
     const auto bits = static_cast<std::uint32_t>(match.distance);
-    if (bits < kLimit ? ours.first_bits != bits : ours.first != NearestTwo::kNone) return false;
+    if (bits < kLimit ? ours.first_bits != bits : ours.first != perception::NearestTwo::kNone)
+      return false;
   }
   return true;
 }
@@ -138,7 +139,7 @@ void add_benchmarks(const std::string& what, const Data& data) {
     restrict_to(0);
     if ((hwy::SupportedTargets() & target) == 0) continue;
     const std::string name = hwy::TargetName(target);
-    auto search = std::make_shared<HammingSearch>();
+    auto search = std::make_shared<perception::HammingSearch>();
     add(what + ", all below 48/" + name, [&data, search, target] {
       restrict_to(target);
       return search->below(data.queries, data.store, kLimit).size();

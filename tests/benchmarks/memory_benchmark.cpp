@@ -13,10 +13,10 @@
 #include <random>
 #include <stdexcept>
 
-#include "memory/long_term/memory_file.hpp"
-#include "memory/long_term/memory_tables.hpp"
-#include "memory/long_term/view_codec.hpp"
-#include "perception/matching/hamming_search.hpp"
+#include "striate/memory/long_term/memory_file.hpp"
+#include "striate/memory/long_term/memory_tables.hpp"
+#include "striate/memory/long_term/view_codec.hpp"
+#include "striate/perception/matching/hamming_search.hpp"
 
 /// memory_benchmark [FOLDER] [LANDMARKS]: 10,000 landmarks with 5 views of 150 descriptors. Opens
 /// the memory and reads every view, against reading the same bytes from a flat file; both cold (the
@@ -37,42 +37,45 @@ double seconds_of(const std::function<void()>& work) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
-StoredView random_view(std::mt19937_64& random) {
-  StoredView view;
+memory::StoredView random_view(std::mt19937_64& random) {
+  memory::StoredView view;
   view.width_px = 200.0;
   view.height_px = 150.0;
   view.descriptors.resize(kDescriptors);
   view.keypoints.resize(kDescriptors);
-  for (StoredDescriptor& one : view.descriptors) {
+  for (memory::StoredDescriptor& one : view.descriptors) {
     for (std::size_t at = 0; at < one.size(); at += 8) {
       const std::uint64_t word = random();
       std::memcpy(one.data() + at, &word, 8);
     }
   }
-  for (ViewKeypoint& one : view.keypoints) one.x_px = static_cast<float>(random() % 200);
+  for (perception::ViewKeypoint& one : view.keypoints)
+    one.x_px = static_cast<float>(random() % 200);
   return view;
 }
 
 void write_both(const std::string& memory, const std::string& flat, int landmarks) {
   std::ofstream stream(flat, std::ios::binary);
-  MemoryOptions options;
-  options.access = Access::session;
-  MemoryFile file(memory, options);
-  MemoryTables tables(file.database());
+  memory::MemoryOptions options;
+  options.access = memory::Access::session;
+  memory::MemoryFile file(memory, options);
+  memory::MemoryTables tables(file.database());
   file.database().exec("BEGIN");
-  const Session session = tables.sessions.begin(SessionKind::import, "benchmark", "", 0);
+  const memory::Session session =
+      tables.sessions.begin(memory::SessionKind::import, "benchmark", "", 0);
   std::mt19937_64 random(1);
   for (int k = 0; k < landmarks; ++k) {
-    Landmark landmark;
+    memory::Landmark landmark;
     landmark.session = session.id;
     landmark.name = fmt::format("thing {}", k);
     const std::int64_t id = tables.landmarks.add(landmark);
     for (int v = 0; v < kViews; ++v) {
-      StoredView view = random_view(random);
+      memory::StoredView view = random_view(random);
       view.landmark = id;
       view.session = session.id;
       tables.views.add(view);
-      for (const auto bytes : {bytes_of(view.descriptors), bytes_of(view.keypoints)}) {
+      for (const auto bytes :
+           {memory::bytes_of(view.descriptors), memory::bytes_of(view.keypoints)}) {
         stream.write(reinterpret_cast<const char*>(bytes.data()),
                      static_cast<std::streamsize>(bytes.size()));
       }
@@ -97,25 +100,25 @@ double median(std::vector<double> values) {
 
 /// Checked, and side by side in one buffer as the flat file is.
 void read_memory(const std::string& memory, std::vector<char>& bytes) {
-  MemoryFile file(memory, {});
-  MemoryTables tables(file.database());
+  memory::MemoryFile file(memory, {});
+  memory::MemoryTables tables(file.database());
   char* at = bytes.data();
-  tables.views.for_each([&](const StoredView& view) {
+  tables.views.for_each([&](const memory::StoredView& view) {
     if (view.damaged) std::abort();
-    for (const auto part : {bytes_of(view.descriptors), bytes_of(view.keypoints)}) {
+    for (const auto part : {memory::bytes_of(view.descriptors), memory::bytes_of(view.keypoints)}) {
       std::memcpy(at, part.data(), part.size());
       at += part.size();
     }
   });
 }
 
-void load(const std::vector<char>& bytes, DescriptorStore& store) {
+void load(const std::vector<char>& bytes, perception::DescriptorStore& store) {
   constexpr std::size_t kView_bytes = kDescriptors * 48;
   for (std::size_t at = 0; at + kView_bytes <= bytes.size(); at += kView_bytes) {
     for (std::size_t k = 0; k < kDescriptors; ++k) {
-      StoredDescriptor one{};
+      memory::StoredDescriptor one{};
       std::memcpy(one.data(), bytes.data() + at + 32 * k, 32);
-      store.append(descriptor_of(one));
+      store.append(memory::descriptor_of(one));
     }
   }
 }
@@ -133,7 +136,8 @@ std::uint64_t read_flat(const std::string& flat, std::vector<char>& bytes) {
   return at;
 }
 
-void compare_opening(const std::string& memory, const std::string& flat, DescriptorStore& store) {
+void compare_opening(const std::string& memory, const std::string& flat,
+                     perception::DescriptorStore& store) {
   std::vector<char> bytes(std::filesystem::file_size(flat));
   std::vector<char> from_memory(bytes.size());
   std::vector<double> memory_s;
@@ -158,22 +162,22 @@ void compare_opening(const std::string& memory, const std::string& flat, Descrip
 }
 
 /// All of it with our search; a tenth of it with both, because OpenCV takes minutes for all.
-void compare_recognition(const DescriptorStore& store) {
-  std::vector<Descriptor> queries;
+void compare_recognition(const perception::DescriptorStore& store) {
+  std::vector<perception::Descriptor> queries;
   for (int q = 0; q < kQueries; ++q) {
-    Descriptor twin = store.at(static_cast<std::size_t>(q) * 997 % (store.size() / 10));
+    perception::Descriptor twin = store.at(static_cast<std::size_t>(q) * 997 % (store.size() / 10));
     twin.words[0] ^= 0x3FFFFFFF;
     queries.push_back(twin);
   }
-  HammingSearch search;
+  perception::HammingSearch search;
   std::size_t found = 0;
   const double all_s =
       seconds_of([&] { found = search.below(queries, store, kLimit_bits).size(); });
   fmt::print("{} keypoints against {} descriptors, below {} bits, exact, one core: {:.3f} s\n",
              kQueries, store.size(), kLimit_bits, all_s);
-  std::vector<Descriptor> tenth;
+  std::vector<perception::Descriptor> tenth;
   for (std::size_t k = 0; k < store.size() / 10; ++k) tenth.push_back(store.at(k));
-  DescriptorStore small;
+  perception::DescriptorStore small;
   small.append(tenth);
   const double ours_s =
       seconds_of([&] { found = search.below(queries, small, kLimit_bits).size(); });
@@ -203,7 +207,7 @@ int run(const std::filesystem::path& folder, int landmarks) {
   const std::string flat = folder / "memory_benchmark.bin";
   std::filesystem::remove(memory);
   write_both(memory, flat, landmarks);
-  DescriptorStore store;
+  perception::DescriptorStore store;
   store.reserve(static_cast<std::size_t>(landmarks) * kViews * kDescriptors);
   compare_opening(memory, flat, store);
   compare_recognition(store);

@@ -3,41 +3,41 @@
 #include <opencv2/imgproc.hpp>
 #include <opencv2/saliency.hpp>
 
-#include "perception/saliency/saliency.hpp"
+#include "striate/perception/saliency/saliency.hpp"
 #include "tests/benchmarks/in_turns.hpp"
-#include "tests/reference/test_pictures.hpp"
+#include "tests/reference/test_images.hpp"
 
-/// saliency_benchmark: salience of a 160x120 picture, ours and OpenCV's two methods, in turns.
+/// saliency_benchmark: salience of a 160x120 image, ours and OpenCV's two methods, in turns.
 namespace striate {
 namespace {
 
 /// A coloured texture with two things in it.
-cv::Mat3b picture() {
-  cv::Mat3b picture;
-  cv::cvtColor(reference::texture({160, 120}, 1, 0, 50), picture, cv::COLOR_GRAY2BGR);
-  picture(cv::Rect(30, 40, 24, 30)) += cv::Scalar(0, 0, 90);
-  picture(cv::Rect(100, 60, 20, 20)) += cv::Scalar(90, 0, 0);
-  return picture;
+cv::Mat3b image() {
+  cv::Mat3b image;
+  cv::cvtColor(reference::texture({160, 120}, 1, 0, 50), image, cv::COLOR_GRAY2BGR);
+  image(cv::Rect(30, 40, 24, 30)) += cv::Scalar(0, 0, 90);
+  image(cv::Rect(100, 60, 20, 20)) += cv::Scalar(90, 0, 0);
+  return image;
 }
 
-DisparityMap disparity() {
-  DisparityMap map;
+perception::DisparityMap disparity() {
+  perception::DisparityMap map;
   map.disparity_px = cv::Mat1f(120, 160, 3.0F);
   map.confidence = cv::Mat1f(120, 160, 0.9F);
   map.disparity_px(cv::Rect(30, 40, 24, 30)).setTo(14.0F);
   return map;
 }
 
-void ours(benchmark::State& state, const SaliencySettings& settings, bool depth) {
-  const cv::Mat3b bgr = picture();
-  const DisparityMap map = depth ? disparity() : DisparityMap{};
-  const ViewGeometry geometry(map, {}, {});
-  SaliencyFinder finder(settings);
+void ours(benchmark::State& state, const perception::SaliencySettings& settings, bool depth) {
+  const cv::Mat3b bgr = image();
+  const perception::DisparityMap map = depth ? disparity() : perception::DisparityMap{};
+  const perception::ViewGeometry geometry(map, {}, {});
+  perception::SaliencyFinder finder(settings);
   for (auto _ : state) benchmark::DoNotOptimize(finder.find(bgr, map, geometry).regions.size());
 }
 
 void opencv(benchmark::State& state, cv::Ptr<cv::saliency::StaticSaliency> method) {
-  const cv::Mat3b bgr = picture();
+  const cv::Mat3b bgr = image();
   cv::Mat map;
   for (auto _ : state) benchmark::DoNotOptimize(method->computeSaliency(bgr, map));
 }
@@ -52,8 +52,8 @@ int main(int argc, char** argv) {
   const auto add = [](const char* name, const auto& function) {
     benchmark::RegisterBenchmark(name, function)->Unit(benchmark::kMicrosecond);
   };
-  SaliencySettings paper, robust, moving;
-  paper.setting = SaliencySetting::paper;
+  perception::SaliencySettings paper, robust, moving;
+  paper.mode = perception::SaliencyMode::paper;
   moving.motion = 1.0;
   add("paper", [=](auto& state) { ours(state, paper, false); });
   add("robust", [=](auto& state) { ours(state, robust, false); });

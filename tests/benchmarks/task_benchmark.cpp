@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "tasks/executive.hpp"
+#include "striate/tasks/executive.hpp"
 #include "tests/benchmarks/in_turns.hpp"
 #include "tests/reference/fifty_nodes.hpp"
 
@@ -13,9 +13,9 @@ int main(int argc, char** argv) {
   using namespace striate;
   InTurns turns(argc, argv, 9, "0.05");
   if (turns.refuse_arguments()) return 2;
-  const ShortTermMemory memory({}, {});
+  const memory::ShortTermMemory memory({}, {});
   reference::FiftyNodes tree;
-  Executive executive(std::move(tree.task));
+  tasks::Executive executive(std::move(tree.task));
   benchmark::RegisterBenchmark("tick of 50 nodes", [&](benchmark::State& state) {
     TimePoint now{};
     for (auto _ : state) benchmark::DoNotOptimize(executive.tick(memory, now));

@@ -3,14 +3,14 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
-#include "perception/perception.hpp"
-#include "perception/recognition/oriented_keypoints.hpp"
-#include "perception/recognition/recogniser.hpp"
-#include "perception/stereo/shrink_by_four.hpp"
+#include "striate/perception/perception.hpp"
+#include "striate/perception/recognition/oriented_keypoints.hpp"
+#include "striate/perception/recognition/recogniser.hpp"
+#include "striate/perception/stereo/shrink_by_four.hpp"
 #include "tests/benchmarks/in_turns.hpp"
-#include "tests/reference/test_pictures.hpp"
+#include "tests/reference/test_images.hpp"
 
-/// vision_cycle_benchmark: seeing and recognising on one core, in every picture: robust stereo at
+/// vision_cycle_benchmark: seeing and recognising on one core, in every image: robust stereo at
 /// 160x120, saliency, keypoints at 640x480, Striate's own descriptor for those in the salient
 /// regions, and their recognition against 50 landmarks with 5 views of 150 descriptors; the same
 /// with obstacles and the corridor, which is all that the robot does; and the stages by themselves.
@@ -22,9 +22,9 @@ constexpr std::size_t kDescriptors = 150;  ///< of a view
 
 cv::Mat1b eye(int shift_px) {
   const cv::Mat1b fine = reference::texture({320, 240}, 1, shift_px / 2);
-  cv::Mat1b picture;
-  cv::resize(fine, picture, {640, 480}, 0, 0, cv::INTER_CUBIC);
-  return reference::with_noise(picture, 2.0, shift_px + 1);
+  cv::Mat1b image;
+  cv::resize(fine, image, {640, 480}, 0, 0, cv::INTER_CUBIC);
+  return reference::with_noise(image, 2.0, shift_px + 1);
 }
 
 StereoFrame frame() {
@@ -40,23 +40,24 @@ StereoFrame frame() {
   return frame;
 }
 
-PerceptionSettings in_every_picture() {
-  PerceptionSettings settings;
+perception::PerceptionSettings in_every_image() {
+  perception::PerceptionSettings settings;
   settings.keypoints_every = 1;
   settings.saliency_every = 1;
   return settings;
 }
 
-Recogniser taught() {
-  Recogniser recogniser({});
-  OrientedSettings settings;
+perception::Recogniser taught() {
+  perception::Recogniser recogniser({});
+  perception::OrientedSettings settings;
   settings.keypoints = {};
   settings.keypoints.threshold = 0.0;
   settings.keypoints.most = 150;
-  OrientedKeypoints oriented(settings);
+  perception::OrientedKeypoints oriented(settings);
   for (int k = 0; k < kLandmarks * kViews; ++k) {
-    LandmarkView view = make_view(reference::texture({320, 240}, 100 + k), {0, 0, 320, 240},
-                                  [&](const cv::Mat1b& grey) { return oriented(grey); });
+    perception::LandmarkView view =
+        perception::make_view(reference::texture({320, 240}, 100 + k), {0, 0, 320, 240},
+                              [&](const cv::Mat1b& grey) { return oriented(grey); });
     view.descriptors.resize(std::min(view.descriptors.size(), kDescriptors));
     view.keypoints.resize(view.descriptors.size());
     recogniser.add(k / kViews, view);
@@ -65,13 +66,14 @@ Recogniser taught() {
 }
 
 /// The keypoints that lie in any salient region; regions are at the working size.
-void keep_salient(const std::vector<Keypoint>& keypoints, const SaliencyMap& saliency,
-                  std::vector<Keypoint>& salient) {
+void keep_salient(const std::vector<perception::Keypoint>& keypoints,
+                  const perception::SaliencyMap& saliency,
+                  std::vector<perception::Keypoint>& salient) {
   const double zoom = 640.0 / saliency.salience.cols;
   salient.clear();
-  for (const Keypoint& point : keypoints) {
+  for (const perception::Keypoint& point : keypoints) {
     const double u = (point.u_px + 0.5) / zoom - 0.5, v = (point.v_px + 0.5) / zoom - 0.5;
-    for (const SalientRegion& region : saliency.regions) {
+    for (const perception::SalientRegion& region : saliency.regions) {
       if (std::abs(u - region.u_px) > region.width_px / 2) continue;
       if (std::abs(v - region.v_px) > region.height_px / 2) continue;
       salient.push_back(point);
@@ -88,14 +90,14 @@ void count_cycles(benchmark::State& state, std::size_t salient, std::size_t desc
 }
 
 void whole_cycle(benchmark::State& state) {
-  Perception perception(in_every_picture(), {});
-  Recogniser recogniser = taught();
-  OrientedKeypoints oriented(OrientedSettings{});
+  perception::Perception perception(in_every_image(), {});
+  perception::Recogniser recogniser = taught();
+  perception::OrientedKeypoints oriented(perception::OrientedSettings{});
   const StereoFrame pictures = frame();
-  std::vector<Keypoint> salient, described;
+  std::vector<perception::Keypoint> salient, described;
   cv::Mat1b grey;
   for (auto _ : state) {
-    const Percept percept = perception.see(pictures);
+    const perception::Percept percept = perception.see(pictures);
     keep_salient(percept.keypoints, percept.saliency, salient);
     cv::cvtColor(pictures.left, grey, cv::COLOR_BGR2GRAY);
     oriented.describe(grey, salient, described);
@@ -104,22 +106,23 @@ void whole_cycle(benchmark::State& state) {
   count_cycles(state, salient.size(), described.size());
 }
 
-/// From two colour pictures to what is recognised, without obstacles and corridor.
+/// From two colour images to what is recognised, without obstacles and corridor.
 void stereo_to_recognition(benchmark::State& state) {
-  StereoMatcher matcher(StereoSettings{});
-  SaliencyFinder saliency_finder(in_every_picture().saliency);
-  KeypointFinder finder{KeypointSettings{}};
-  Recogniser recogniser = taught();
-  OrientedKeypoints oriented(OrientedSettings{});
+  perception::StereoMatcher matcher(perception::StereoSettings{});
+  perception::SaliencyFinder saliency_finder(in_every_image().saliency);
+  perception::KeypointFinder finder{perception::KeypointSettings{}};
+  perception::Recogniser recogniser = taught();
+  perception::OrientedKeypoints oriented(perception::OrientedSettings{});
   const StereoFrame pictures = frame();
-  std::vector<Keypoint> found, salient, described;
+  std::vector<perception::Keypoint> found, salient, described;
   cv::Mat1b grey;
-  DisparityMap map;
+  perception::DisparityMap map;
   for (auto _ : state) {
     cv::cvtColor(pictures.left, grey, cv::COLOR_BGR2GRAY);
-    matcher.match(to_fine_working_size(grey, 160), to_fine_working_size(pictures.right, 160), map);
-    const SaliencyMap saliency =
-        saliency_finder.find(means_of_fours(pictures.left), map, ViewGeometry(map, {}, {}));
+    matcher.match(perception::to_fine_working_size(grey, 160),
+                  perception::to_fine_working_size(pictures.right, 160), map);
+    const perception::SaliencyMap saliency = saliency_finder.find(
+        perception::means_of_fours(pictures.left), map, perception::ViewGeometry(map, {}, {}));
     finder.find(grey, found);
     keep_salient(found, saliency, salient);
     oriented.describe(grey, salient, described);
@@ -129,47 +132,48 @@ void stereo_to_recognition(benchmark::State& state) {
 }
 
 void seeing_without(benchmark::State& state, bool keypoints) {
-  PerceptionSettings settings = in_every_picture();
+  perception::PerceptionSettings settings = in_every_image();
   settings.keypoints_every = keypoints ? 1 : 0;
-  Perception perception(settings, {});
+  perception::Perception perception(settings, {});
   const StereoFrame pictures = frame();
   for (auto _ : state) benchmark::DoNotOptimize(perception.see(pictures).valid);
 }
 
 void stereo(benchmark::State& state) {
-  StereoMatcher matcher(StereoSettings{});
-  const cv::Mat1w left = to_fine_working_size(frame().left, 160);
-  const cv::Mat1w right = to_fine_working_size(frame().right, 160);
-  DisparityMap map;
+  perception::StereoMatcher matcher(perception::StereoSettings{});
+  const cv::Mat1w left = perception::to_fine_working_size(frame().left, 160);
+  const cv::Mat1w right = perception::to_fine_working_size(frame().right, 160);
+  perception::DisparityMap map;
   for (auto _ : state) matcher.match(left, right, map);
 }
 
 void saliency(benchmark::State& state) {
-  PerceptionSettings settings = in_every_picture();
+  perception::PerceptionSettings settings = in_every_image();
   settings.keypoints_every = 0;
-  SaliencyFinder finder(settings.saliency);
+  perception::SaliencyFinder finder(settings.saliency);
   cv::Mat3b colour;
   cv::resize(frame().left, colour, {160, 120}, 0, 0, cv::INTER_AREA);
-  DisparityMap map;
+  perception::DisparityMap map;
   for (auto _ : state) {
-    benchmark::DoNotOptimize(finder.find(colour, map, ViewGeometry(map, {}, {})).regions.size());
+    benchmark::DoNotOptimize(
+        finder.find(colour, map, perception::ViewGeometry(map, {}, {})).regions.size());
   }
 }
 
 void keypoints(benchmark::State& state) {
-  KeypointFinder finder{KeypointSettings{}};
-  const cv::Mat1b picture = eye(0);
-  std::vector<Keypoint> found;
+  perception::KeypointFinder finder{perception::KeypointSettings{}};
+  const cv::Mat1b image = eye(0);
+  std::vector<perception::Keypoint> found;
   for (auto _ : state) {
-    finder.find(picture, found);
+    finder.find(image, found);
     benchmark::DoNotOptimize(found.data());
   }
 }
 
-std::vector<Keypoint> salient_keypoints() {
-  Perception perception(in_every_picture(), {});
-  std::vector<Keypoint> salient;
-  const Percept percept = perception.see(frame());
+std::vector<perception::Keypoint> salient_keypoints() {
+  perception::Perception perception(in_every_image(), {});
+  std::vector<perception::Keypoint> salient;
+  const perception::Percept percept = perception.see(frame());
   keep_salient(percept.keypoints, percept.saliency, salient);
   return salient;
 }
@@ -181,21 +185,21 @@ cv::Mat1b left_grey() {
 }
 
 void describing(benchmark::State& state) {
-  OrientedKeypoints oriented(OrientedSettings{});
-  const std::vector<Keypoint> salient = salient_keypoints();
+  perception::OrientedKeypoints oriented(perception::OrientedSettings{});
+  const std::vector<perception::Keypoint> salient = salient_keypoints();
   const cv::Mat1b grey = left_grey();
-  std::vector<Keypoint> described;
+  std::vector<perception::Keypoint> described;
   for (auto _ : state) oriented.describe(grey, salient, described);
   state.counters["descriptors"] = static_cast<double>(described.size());
 }
 
-/// Of the salient keypoints, or of all of the picture.
-void recognition(benchmark::State& state, bool whole_picture) {
-  Recogniser recogniser = taught();
-  OrientedKeypoints oriented(OrientedSettings{});
+/// Of the salient keypoints, or of all of the image.
+void recognition(benchmark::State& state, bool whole_image) {
+  perception::Recogniser recogniser = taught();
+  perception::OrientedKeypoints oriented(perception::OrientedSettings{});
   const cv::Mat1b grey = left_grey();
-  std::vector<Keypoint> described;
-  oriented.describe(grey, whole_picture ? find_keypoints(grey, {}) : salient_keypoints(),
+  std::vector<perception::Keypoint> described;
+  oriented.describe(grey, whole_image ? perception::find_keypoints(grey, {}) : salient_keypoints(),
                     described);
   for (auto _ : state) benchmark::DoNotOptimize(recogniser.recognise(described).size());
   state.counters["descriptors"] = static_cast<double>(described.size());
@@ -219,7 +223,7 @@ int main(int argc, char** argv) {
   add("keypoints", striate::keypoints);
   add("describing the salient keypoints", striate::describing);
   add("recognition", [](auto& state) { striate::recognition(state, false); });
-  add("recognition, whole picture", [](auto& state) { striate::recognition(state, true); });
+  add("recognition, whole image", [](auto& state) { striate::recognition(state, true); });
   benchmark::RunSpecifiedBenchmarks();
   return 0;
 }

@@ -6,9 +6,9 @@
 #include <cstdlib>
 #include <string>
 
-#include "app/learning/synthetic_stereo.hpp"
-#include "perception/stereo/gap_filling.hpp"
-#include "perception/stereo/stereo_matcher.hpp"
+#include "striate/evaluation/learning/synthetic_stereo.hpp"
+#include "striate/perception/stereo/gap_filling.hpp"
+#include "striate/perception/stereo/stereo_matcher.hpp"
 
 /// confidence_fit [scenes]: how often the robust setting's disparities are right (within 1 px, of
 /// what both eyes see), by their score, and how often what fills small gaps is, on made scenes: the
@@ -27,7 +27,7 @@ bool is_right(float disparity_px, float truth_px) {
 
 /// Calls f(y, x) where both eyes see.
 template <class F>
-void for_judged(const SyntheticPair& pair, const F& f) {
+void for_judged(const evaluation::SyntheticPair& pair, const F& f) {
   for (int y = 0; y < pair.truth_px.rows; ++y) {
     for (int x = 0; x < pair.truth_px.cols; ++x) {
       if (std::isfinite(pair.truth_px(y, x))) f(y, x);
@@ -38,9 +38,10 @@ void for_judged(const SyntheticPair& pair, const F& f) {
 /// Scores around 0, 0.1, ... 1.
 using ByScore = std::array<Share, 11>;
 
-void add_scores(const SyntheticPair& pair, const DisparityMap& map, ByScore& shares) {
+void add_scores(const evaluation::SyntheticPair& pair, const perception::DisparityMap& map,
+                ByScore& shares) {
   for_judged(pair, [&](int y, int x) {
-    if (map.disparity_px(y, x) == kNoMatch) return;
+    if (map.disparity_px(y, x) == perception::kNoMatch) return;
     Share& share = shares[static_cast<std::size_t>(std::lround(10.0F * map.confidence(y, x)))];
     share.of += 1.0;
     share.right += is_right(map.disparity_px(y, x), pair.truth_px(y, x));
@@ -50,17 +51,20 @@ void add_scores(const SyntheticPair& pair, const DisparityMap& map, ByScore& sha
 using ByGap = std::array<std::array<Share, 3>, 3>;
 
 /// One kind of gap at a time is filled.
-void add_gaps(const SyntheticPair& pair, const DisparityMap& map, int longest_px, ByGap& shares) {
+void add_gaps(const evaluation::SyntheticPair& pair, const perception::DisparityMap& map,
+              int longest_px, ByGap& shares) {
   for (std::size_t kind = 0; kind < 3; ++kind) {
     for (std::size_t length = 0; length < 3; ++length) {
-      GapTrust only{};
+      perception::GapTrust only{};
       only[kind][length] = 1.0F;
-      DisparityMap filled;
+      perception::DisparityMap filled;
       map.disparity_px.copyTo(filled.disparity_px);
       map.confidence.copyTo(filled.confidence);
-      GapFilling(only).fill({longest_px, 0.0F}, filled);
+      perception::GapFilling(only).fill({longest_px, 0.0F}, filled);
       for_judged(pair, [&](int y, int x) {
-        if (map.disparity_px(y, x) != kNoMatch || filled.disparity_px(y, x) == kNoMatch) return;
+        if (map.disparity_px(y, x) != perception::kNoMatch ||
+            filled.disparity_px(y, x) == perception::kNoMatch)
+          return;
         shares[kind][length].of += 1.0;
         shares[kind][length].right += is_right(filled.disparity_px(y, x), pair.truth_px(y, x));
       });
@@ -74,16 +78,17 @@ struct Fit {
 };
 
 void add_scenes(cv::Size size, int scenes, Fit& fit) {
-  StereoSettings settings;
+  perception::StereoSettings settings;
   settings.width = size.width;
   settings.robust.fill_gap_px = 0;
-  const int longest_px = StereoSettings{}.robust.fill_gap_px * size.width / 160;
-  StereoMatcher promises(settings);
-  settings.robust.confidence = StereoConfidence::score;
+  const int longest_px = perception::StereoSettings{}.robust.fill_gap_px * size.width / 160;
+  perception::StereoMatcher promises(settings);
+  settings.robust.confidence = perception::StereoConfidence::score;
   settings.robust.least_confidence = 0.0;
-  StereoMatcher scores(settings);
+  perception::StereoMatcher scores(settings);
   for (int k = 0; k < scenes; ++k) {
-    const SyntheticPair pair = synthetic_stereo(size, static_cast<std::uint64_t>(k));
+    const evaluation::SyntheticPair pair =
+        evaluation::synthetic_stereo(size, static_cast<std::uint64_t>(k));
     add_scores(pair, scores.match(pair.left, pair.right), fit.scores);
     add_gaps(pair, promises.match(pair.left, pair.right), longest_px, fit.gaps);
   }

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "platform/simulator/scene.hpp"
+#include "striate/platform/simulator/scene.hpp"
 
 /// Places all along a corridor from which perception is judged: offsets, headings, poses of the
 /// head and people in the way, drawn by seed.

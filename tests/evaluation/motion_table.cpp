@@ -1,9 +1,9 @@
-// How well things that move by themselves are told from things that do not, in simulated pictures,
+// How well things that move by themselves are told from things that do not, in simulated images,
 // while the robot stands, drives, turns, and looks around.
 //
 //     motion_table [--seed N] [WORLD.yaml ...]
 //
-// Two people are in view: one walks, the other stands. Columns of the picture are judged by which
+// Two people are in view: one walks, the other stands. Columns of the image are judged by which
 // true thing is nearest in them; odometry has the scale errors of the simulated base.
 #include <fmt/format.h>
 
@@ -13,9 +13,9 @@
 #include <string>
 #include <vector>
 
-#include "perception/perception.hpp"
-#include "platform/simulator/render/renderer.hpp"
-#include "platform/simulator/world_reader.hpp"
+#include "striate/perception/perception.hpp"
+#include "striate/platform/simulator/render/renderer.hpp"
+#include "striate/platform/simulator/world_reader.hpp"
 #include "tests/evaluation/judged_poses.hpp"
 #include "tests/evaluation/true_columns.hpp"
 
@@ -26,8 +26,8 @@ using evaluation::true_columns;
 using evaluation::unit_noise;
 
 constexpr double kStep_s = 0.1;
-constexpr int kPictures = 25;      // of a sequence
-constexpr int kFirstJudged = 6;    // exposure settles, earlier pictures gather
+constexpr int kImages = 25;        // of a sequence
+constexpr int kFirstJudged = 6;    // exposure settles, earlier images gather
 constexpr double kJudged_m = 5.0;  // farther things are not judged
 constexpr double kWalks_m_s = 0.9;
 constexpr double kOdometryError = 0.0075;  // deviation of the scales of ways and turns
@@ -40,7 +40,7 @@ constexpr const char* kWalks[] = {"across", "towards", "away"};
 struct Counts {
   long moving = 0, moving_found = 0;    // columns
   long still = 0, still_called = 0;     // columns
-  long walkers = 0, walkers_found = 0;  // pictures that show the walker
+  long walkers = 0, walkers_found = 0;  // images that show the walker
   long pictures = 0, false_things = 0;
   std::vector<double> velocity_error_m_s;
 
@@ -54,7 +54,7 @@ struct Counts {
   }
 };
 
-/// Where everything is in one picture. The walker comes first among the people.
+/// Where everything is in one image. The walker comes first among the people.
 struct Moment {
   simulator::SceneState scene;
   Pose2 odometry;
@@ -75,7 +75,7 @@ class Sequence {
     along_m_ = start_m_;
   }
 
-  /// The next picture's moment.
+  /// The next image's moment.
   Moment step(std::uint64_t frame) {
     const double t_s = kStep_s * static_cast<double>(count_);
     const double speed = drive_ == Drive::stands ? 0.0 : 0.5;
@@ -155,7 +155,8 @@ std::vector<Truth> truth_of(const std::vector<double>& with, const std::vector<d
   return truth;
 }
 
-void judge(const Percept& percept, const std::vector<Truth>& truth, Point2 walker_m_s, Counts& c) {
+void judge(const perception::Percept& percept, const std::vector<Truth>& truth, Point2 walker_m_s,
+           Counts& c) {
   const int width = static_cast<int>(truth.size());
   long shown = 0;
   for (int u = 0; u < width; ++u) {
@@ -170,7 +171,7 @@ void judge(const Percept& percept, const std::vector<Truth>& truth, Point2 walke
   }
   ++c.pictures;
   bool found = false;
-  for (const MovingThing& thing : percept.moving) {
+  for (const perception::MovingThing& thing : percept.moving) {
     long on_walker = 0;
     for (int u = thing.from_u_px; u <= thing.to_u_px; ++u) {
       // Matching widens a thing by some pixels: they are the walker's.
@@ -200,19 +201,19 @@ struct World {
 };
 
 Counts run(World& world, Drive drive, Walk walk, std::uint64_t seed) {
-  PerceptionSettings settings;
+  perception::PerceptionSettings settings;
   settings.motion.on = true;
   settings.keypoints_every = 0;
   const RobotDescription robot;
-  Perception perception(settings, robot);
+  perception::Perception perception(settings, robot);
   Sequence sequence(world.plan, drive, walk, seed);
   Counts counts;
-  for (int k = 0; k < kPictures; ++k) {
+  for (int k = 0; k < kImages; ++k) {
     const Moment moment = sequence.step(static_cast<std::uint64_t>(k));
-    StereoFrame frame = world.renderer.picture(moment.scene);
+    StereoFrame frame = world.renderer.image(moment.scene);
     frame.head = moment.scene.head;
     frame.stamp = TimePoint{} + from_seconds(moment.scene.time_s);
-    const Percept percept = perception.see(frame, moment.odometry);
+    const perception::Percept percept = perception.see(frame, moment.odometry);
     if (k < kFirstJudged) continue;
     const auto columns_of = [&](const simulator::SceneState& scene) {
       return true_columns(world.renderer.true_depth(scene, 160), percept.disparity, frame.head,

@@ -1,6 +1,6 @@
-// How right the columns and the corridor's heading are on simulated pictures, against true depth.
+// How right the columns and the corridor's heading are on simulated images, against true depth.
 //
-//     obstacle_table [--pictures DIR] [--setting paper|robust] [--seed N] [WORLD.yaml ...]
+//     obstacle_table [--images DIR] [--mode paper|robust] [--seed N] [WORLD.yaml ...]
 //
 // Phantoms (something claimed that is not there) make the robot stop or swerve, missed near things
 // make it collide: both are counted per column, together with what is right and what is unknown.
@@ -15,10 +15,10 @@
 #include <string>
 #include <vector>
 
-#include "app/pictures/overview.hpp"
-#include "perception/perception.hpp"
-#include "platform/simulator/render/renderer.hpp"
-#include "platform/simulator/world_reader.hpp"
+#include "striate/agent/pictures/overview.hpp"
+#include "striate/perception/perception.hpp"
+#include "striate/platform/simulator/render/renderer.hpp"
+#include "striate/platform/simulator/world_reader.hpp"
 #include "tests/evaluation/judged_poses.hpp"
 #include "tests/evaluation/true_columns.hpp"
 
@@ -33,7 +33,7 @@ using evaluation::true_columns;
 constexpr double kJudged_m = 6.0;   // farther things are not judged
 constexpr double kPhantom_m = 3.0;  // phantoms nearer than this count
 constexpr double kMissed_m = 2.5;   // things nearer than this must not be called free
-constexpr int kWarmUp = 3;          // pictures for the exposure to settle
+constexpr int kWarmUp = 3;          // images for the exposure to settle
 
 struct Counts {
   long columns = 0;  ///< with something true within kJudged_m
@@ -71,11 +71,13 @@ bool close(double claim_m, double truth_m) {
   return std::abs(claim_m - truth_m) <= std::max(0.15, 0.1 * truth_m);
 }
 
-void judge_columns(const Percept& percept, const std::vector<double>& truth, Counts& counts) {
+void judge_columns(const perception::Percept& percept, const std::vector<double>& truth,
+                   Counts& counts) {
   const int width = static_cast<int>(truth.size());
   for (int u = 0; u < width; ++u) {
-    const Column& c = percept.columns[u];
-    double nearest = kNothing_m;  // of this column and its neighbours: edges may fall either way
+    const perception::Column& c = percept.columns[u];
+    double nearest =
+        perception::kNothing_m;  // of this column and its neighbours: edges may fall either way
     double farthest = 0.0;
     bool right = false;
     for (int n = std::max(0, u - 2); n <= std::min(width - 1, u + 2); ++n) {
@@ -106,8 +108,8 @@ double width_at(const simulator::World& world, double along_m) {
   return world.width_m;
 }
 
-void judge_corridor(const Percept& percept, const Pose& pose, const simulator::World& world,
-                    Counts& counts) {
+void judge_corridor(const perception::Percept& percept, const Pose& pose,
+                    const simulator::World& world, Counts& counts) {
   if (!percept.corridor.valid) return;
   ++counts.corridor_valid;
   // An axis has no direction: a heading of 180 degrees more is the same corridor.
@@ -155,7 +157,7 @@ void print_row(const std::string& name, const Counts& c) {
 }
 
 struct Run {
-  PerceptionSettings settings;
+  perception::PerceptionSettings settings;
   std::string pictures;
   RobotDescription robot;
   std::uint64_t seed = 0;
@@ -165,7 +167,7 @@ Counts evaluate(const std::string& file, const Run& run) {
   const simulator::World world = simulator::load_world(file);
   const simulator::FloorPlan plan = simulator::build_floor_plan(world);
   simulator::Renderer renderer(world, plan, {}, run.seed + 1);
-  Perception perception(run.settings, run.robot);
+  perception::Perception perception(run.settings, run.robot);
   Counts counts;
   std::uint64_t frame_number = 0;
   for (const Pose& pose : poses_of(world, run.seed)) {
@@ -173,11 +175,11 @@ Counts evaluate(const std::string& file, const Run& run) {
     StereoFrame frame;
     for (int i = 0; i < kWarmUp; ++i) {
       state.frame = frame_number++;
-      frame = renderer.picture(state);
+      frame = renderer.image(state);
     }
     frame.head = pose.head;
     const auto before = std::chrono::steady_clock::now();
-    const Percept percept = perception.see(frame);
+    const perception::Percept percept = perception.see(frame);
     const std::chrono::duration<double, std::milli> took =
         std::chrono::steady_clock::now() - before;
     const cv::Mat1f depth = renderer.true_depth(state, percept.disparity.disparity_px.cols);
@@ -194,7 +196,7 @@ Counts evaluate(const std::string& file, const Run& run) {
           "{}/{}_{:04.1f}_ph{:03d}_free{:03d}_head{:04.1f}.png", run.pictures,
           std::filesystem::path(file).stem().string(), pose.along_m, one.phantom, one.near_free,
           one.heading_error_deg.empty() ? 99.0 : one.heading_error_deg[0]);
-      cv::imwrite(name, pictures::draw_overview(frame, percept, run.robot));
+      cv::imwrite(name, agent::pictures::draw_overview(frame, percept, run.robot));
     }
   }
   return counts;
@@ -210,9 +212,9 @@ int main(int argc, char** argv) {
     if (argument == "--pictures" && i + 1 < argc) {
       run.pictures = argv[++i];
       std::filesystem::create_directories(run.pictures);
-    } else if (argument == "--setting" && i + 1 < argc) {
-      run.settings.stereo.setting =
-          std::string(argv[++i]) == "paper" ? StereoSetting::paper : StereoSetting::robust;
+    } else if (argument == "--mode" && i + 1 < argc) {
+      run.settings.stereo.mode = std::string(argv[++i]) == "paper" ? perception::StereoMode::paper
+                                                                   : perception::StereoMode::robust;
     } else if (argument == "--seed" && i + 1 < argc) {
       run.seed = std::stoull(argv[++i]);
     } else {

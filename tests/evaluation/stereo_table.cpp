@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include "app/evaluation/stereo_methods.hpp"
+#include "striate/evaluation/stereo_methods.hpp"
 #include "tests/reference/stereo_pairs.hpp"
 #include "tests/reference/stereo_reference.hpp"
 
@@ -9,12 +9,12 @@
 namespace striate {
 namespace {
 
-StereoMethod exact_paper() {
+evaluation::StereoMethod exact_paper() {
   return {
       "paper, exact",
       [](const cv::Mat& left, const cv::Mat& right) {
         constexpr int kPaperCandidates = 150;
-        DisparityMap map;
+        perception::DisparityMap map;
         reference::paper_stereo(left, right, kPaperCandidates).convertTo(map.disparity_px, CV_32F);
         map.confidence = cv::Mat1f(left.size(), 1.0F);
         return map;
@@ -22,15 +22,15 @@ StereoMethod exact_paper() {
       true};
 }
 
-void print_table(const std::string& title, const std::vector<StereoPair>& pairs,
-                 const std::vector<StereoMethod>& methods, bool disturbed) {
+void print_table(const std::string& title, const std::vector<evaluation::StereoPair>& pairs,
+                 const std::vector<evaluation::StereoMethod>& methods, bool disturbed) {
   fmt::print("\n{}\n{:18}", title, "bad-2 %");
-  for (const StereoPair& pair : pairs) fmt::print(" {:>6.6}", pair.name);
+  for (const evaluation::StereoPair& pair : pairs) fmt::print(" {:>6.6}", pair.name);
   fmt::print(" |  bad-2  bad-1 density\n");
-  for (const StereoMethod& method : methods) {
-    const StereoResult result = measure(method, pairs, disturbed);
+  for (const evaluation::StereoMethod& method : methods) {
+    const evaluation::StereoResult result = evaluation::measure(method, pairs, disturbed);
     fmt::print("{:18}", method.name);
-    for (const StereoScore& score : result.of_pairs) fmt::print(" {:6.1f}", score.bad2);
+    for (const evaluation::StereoScore& score : result.of_pairs) fmt::print(" {:6.1f}", score.bad2);
     fmt::print(" | {:6.2f} {:6.2f} {:7.1f}\n", result.mean.bad2, result.mean.bad1,
                result.mean.density);
   }
@@ -48,9 +48,10 @@ int main(int argc, char** argv) {
     fmt::print(stderr, "stereo_table: no stereo pairs below {}\n", folder);
     return 2;
   }
-  std::vector<StereoMethod> methods = stereo_methods(160, disparities_to_search(pairs));
+  std::vector<evaluation::StereoMethod> methods =
+      evaluation::stereo_methods(160, evaluation::disparities_to_search(pairs));
   methods.insert(methods.begin(), exact_paper());
   print_table("160x120", pairs, methods, false);
-  print_table("160x120, right picture with gain 1.3 and noise of sigma 6", pairs, methods, true);
+  print_table("160x120, right image with gain 1.3 and noise of sigma 6", pairs, methods, true);
   return 0;
 }

@@ -4,23 +4,25 @@
 #include <cmath>
 #include <vector>
 
-#include "perception/obstacles/view_geometry.hpp"
+#include "striate/perception/obstacles/view_geometry.hpp"
 
 namespace striate::evaluation {
 
 /// Distance of the nearest visible thing that stands in each column; +inf for none.
-inline std::vector<double> true_columns(const cv::Mat1f& depth, const DisparityMap& camera,
+inline std::vector<double> true_columns(const cv::Mat1f& depth,
+                                        const perception::DisparityMap& camera,
                                         const HeadPose& head, const RobotDescription& robot) {
   constexpr double kLowest_m = 0.06;
   constexpr double kHighest_m = 1.4;
   constexpr int kFewestPixels = 3;  // of a true thing, else it is an edge
-  const ViewGeometry geometry(camera, head, robot);
-  std::vector<double> nearest(depth.cols, kNothing_m);
+  const perception::ViewGeometry geometry(camera, head, robot);
+  std::vector<double> nearest(depth.cols, perception::kNothing_m);
   for (int u = 0; u < depth.cols; ++u) {
     std::vector<double> ranges;
     for (int v = 0; v < depth.rows; ++v) {
       if (!std::isfinite(depth(v, u))) continue;
-      const SpacePoint p = geometry.point(u, v, geometry.focal_baseline() / depth(v, u));
+      const perception::SpacePoint p =
+          geometry.point(u, v, geometry.focal_baseline() / depth(v, u));
       if (p.z_m < kLowest_m || p.z_m > kHighest_m) continue;
       ranges.push_back(std::hypot(p.x_m, p.y_m));
     }

@@ -1,10 +1,11 @@
-#include "platform/pioneer/arcos/command.hpp"
-#include "platform/pioneer/arcos/config_pac.hpp"
-#include "platform/pioneer/arcos/other_packets.hpp"
-#include "platform/pioneer/arcos/packet_stream.hpp"
-#include "platform/pioneer/arcos/sip.hpp"
+#include "striate/platform/pioneer/arcos/command.hpp"
+#include "striate/platform/pioneer/arcos/config_pac.hpp"
+#include "striate/platform/pioneer/arcos/other_packets.hpp"
+#include "striate/platform/pioneer/arcos/packet_stream.hpp"
+#include "striate/platform/pioneer/arcos/sip.hpp"
 #include "tests/fuzz/fuzz_target.hpp"
 
+using namespace striate;
 using namespace striate::pioneer;
 
 namespace {

@@ -1,6 +1,7 @@
-#include "platform/pioneer/camera/picture_stream.hpp"
+#include "striate/platform/pioneer/camera/image_stream.hpp"
 #include "tests/fuzz/fuzz_target.hpp"
 
+using namespace striate;
 using namespace striate;
 using namespace striate::pioneer;
 
@@ -8,12 +9,12 @@ namespace {
 
 /// What came out of a stream: number and first byte of each pair.
 std::vector<std::pair<std::uint32_t, int>> pairs(ByteView bytes, std::size_t chunk) {
-  picture_stream::Reader reader;
+  image_stream::Reader reader;
   std::vector<std::pair<std::uint32_t, int>> all;
   for (std::size_t at = 0; at < bytes.size(); at += chunk) {
     reader.push(bytes.subspan(at, std::min(chunk, bytes.size() - at)));
-    while (const auto picture = reader.next()) {
-      all.emplace_back(picture->number, *picture->frame.left.data);
+    while (const auto image = reader.next()) {
+      all.emplace_back(image->number, *image->frame.left.data);
     }
   }
   return all;
@@ -38,7 +39,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 }
 
 std::vector<std::string> striate::fuzz::seeds() {
-  const Bytes one = picture_stream::encode(small_pair(), 1);
-  const Bytes two = picture_stream::encode(small_pair(), 2);
+  const Bytes one = image_stream::encode(small_pair(), 1);
+  const Bytes two = image_stream::encode(small_pair(), 2);
   return {std::string(one.begin(), one.end()) + std::string(two.begin(), two.end())};
 }

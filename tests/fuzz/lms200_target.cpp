@@ -1,6 +1,7 @@
-#include "platform/pioneer/laser/lms200.hpp"
+#include "striate/platform/pioneer/laser/lms200.hpp"
 #include "tests/fuzz/fuzz_target.hpp"
 
+using namespace striate;
 using namespace striate::pioneer;
 
 namespace {

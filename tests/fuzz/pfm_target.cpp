@@ -1,13 +1,13 @@
 #include <sstream>
 
-#include "app/pfm.hpp"
-#include "base/user_error.hpp"
+#include "striate/base/user_error.hpp"
+#include "striate/evaluation/images/pfm.hpp"
 #include "tests/fuzz/fuzz_target.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   std::istringstream in(std::string(reinterpret_cast<const char*>(data), size));
   try {
-    (void)striate::read_pfm(in, "input");
+    (void)striate::evaluation::read_pfm(in, "input");
   } catch (const striate::UserError&) {
   }
   return 0;

@@ -1,5 +1,5 @@
-#include "base/user_error.hpp"
-#include "platform/replay/recording_reader.hpp"
+#include "striate/base/user_error.hpp"
+#include "striate/platform/replay/recording_reader.hpp"
 #include "tests/fuzz/fuzz_target.hpp"
 #include "tests/reference/recorded_cycles.hpp"
 

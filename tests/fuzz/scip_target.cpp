@@ -1,6 +1,7 @@
-#include "platform/pioneer/laser/scip.hpp"
+#include "striate/platform/pioneer/laser/scip.hpp"
 #include "tests/fuzz/fuzz_target.hpp"
 
+using namespace striate;
 using namespace striate::pioneer;
 
 namespace {

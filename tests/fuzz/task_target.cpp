@@ -1,17 +1,18 @@
-#include "config/mistakes.hpp"
-#include "tasks/task_reader.hpp"
+#include "striate/config/diagnostics.hpp"
+#include "striate/tasks/task_reader.hpp"
 #include "tests/fuzz/fuzz_target.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  striate::config::Mistakes mistakes("fuzz/input.yaml", 'T');
+  striate::config::Diagnostics diagnostics("fuzz/input.yaml", 'T');
   const std::string text(reinterpret_cast<const char*>(data), size);
-  const striate::Task task = striate::read_task(text, mistakes, striate::RobotDescription{});
-  if (mistakes.none()) {
-    (void)striate::text_tree(task.outline);
-    (void)striate::svg_tree(task.outline);
-    (void)striate::xml_tree(task.outline);
+  const striate::tasks::Task task =
+      striate::tasks::read_task(text, diagnostics, striate::RobotDescription{});
+  if (diagnostics.none()) {
+    (void)striate::tasks::text_tree(task.outline);
+    (void)striate::tasks::svg_tree(task.outline);
+    (void)striate::tasks::xml_tree(task.outline);
   } else {
-    (void)mistakes.text();
+    (void)diagnostics.text();
   }
   return 0;
 }
@@ -19,7 +20,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 std::vector<std::string> striate::fuzz::seeds() {
   return {
       "striate: 1\nmission: all\nneeds: {landmarks: [book]}\nvars: {cruise: 0.4 m/s}\n"
-      "always:\n  - pause_if: {picture_older_than: 250 ms}\n  - fail_if: {battery_below: 20 %}\n"
+      "always:\n  - pause_if: {image_older_than: 250 ms}\n  - fail_if: {battery_below: 20 %}\n"
       "do:\n  - traverse_corridor: {speed: $cruise, keep: middle}\n    until: {progress: 12 m}\n"
       "    within: 4 min\n    if_it_fails:\n      tries: 2\n      do:\n"
       "        - back_up: {distance: 0.3 m}\n  - try:\n      - look_around: {pan: 60 deg}\n"

@@ -1,7 +1,8 @@
-#include "platform/pioneer/turret/arbotix.hpp"
-#include "platform/pioneer/turret/dynamixel.hpp"
+#include "striate/platform/pioneer/turret/arbotix.hpp"
+#include "striate/platform/pioneer/turret/dynamixel.hpp"
 #include "tests/fuzz/fuzz_target.hpp"
 
+using namespace striate;
 using namespace striate::pioneer;
 
 namespace {

@@ -4,7 +4,7 @@
 #include <opencv2/core.hpp>
 #include <vector>
 
-#include "platform/pioneer/camera/stereo_calibration.hpp"
+#include "striate/platform/pioneer/camera/stereo_calibration.hpp"
 
 namespace striate::reference {
 
@@ -23,8 +23,8 @@ class BoardCamera {
   }
 
   /// @param turn, way: from the board's frame to the camera's. Outside of the board it is grey.
-  [[nodiscard]] cv::Mat1b picture(int columns, int rows, double square_m, const cv::Matx33d& turn,
-                                  const cv::Vec3d& way) const {
+  [[nodiscard]] cv::Mat1b image(int columns, int rows, double square_m, const cv::Matx33d& turn,
+                                const cv::Vec3d& way) const {
     const cv::Matx33d back = turn.t();
     const cv::Vec3d eye = back * (-way);
     cv::Mat1f light(size_px_, 0.0F);
@@ -42,9 +42,9 @@ class BoardCamera {
       const int at = static_cast<int>(i);
       light(at / width / kSamples, at % width / kSamples) += value / (kSamples * kSamples);
     }
-    cv::Mat1b picture;
-    light.convertTo(picture, CV_8U);
-    return picture;
+    cv::Mat1b image;
+    light.convertTo(image, CV_8U);
+    return image;
   }
 
  private:

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "platform/pioneer/arcos/packet_stream.hpp"
+#include "striate/platform/pioneer/arcos/packet_stream.hpp"
 
 /// Recorded bytes: one chunk a line, "seconds direction hex...". The project's own recordings are
 /// in tests/fixtures/captures; those of other programs and simulators are read beside them where

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "perception/descriptor/direction_kernels.hpp"
+#include "striate/perception/descriptor/direction_kernels.hpp"
 
 /// What perception/descriptor/direction_kernels.hpp promises, in plain loops.
 namespace striate::reference {
@@ -25,15 +25,15 @@ inline float angle_deg(float v, float u) {
   return v < 0.0F ? 360.0F - angle : angle;
 }
 
-inline void share_directions(const pooling_kernels::OddWindow& at,
-                             const direction_kernels::Weights& weights,
-                             direction_kernels::Shares& out) {
-  using namespace direction_kernels;
+inline void share_directions(const perception::pooling_kernels::OddWindow& at,
+                             const perception::direction_kernels::Weights& weights,
+                             perception::direction_kernels::Shares& out) {
+  using namespace perception::direction_kernels;
   for (std::size_t k = 0; k < out.bin.size(); ++k) {
     const std::size_t x = k % kColumns, y = k / kColumns;
     float u = 0.0F, v = 0.0F;
-    for (std::size_t i = 0; i < kOrientations; ++i) {
-      const double theta = static_cast<double>(i) * std::numbers::pi / kOrientations;
+    for (std::size_t i = 0; i < perception::kOrientations; ++i) {
+      const double theta = static_cast<double>(i) * std::numbers::pi / perception::kOrientations;
       const auto row = static_cast<std::ptrdiff_t>(y) - kBefore_px;
       const auto odd =
           static_cast<float>(at.odd[i][row * at.stride + static_cast<int>(x) - kBefore_px]);

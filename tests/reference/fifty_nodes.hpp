@@ -1,69 +1,73 @@
 #pragma once
 
-#include "tasks/nodes/limited_node.hpp"
-#include "tasks/nodes/only_if_node.hpp"
-#include "tasks/nodes/optional_node.hpp"
-#include "tasks/nodes/recover_node.hpp"
-#include "tasks/nodes/repeat_node.hpp"
-#include "tasks/nodes/sequence_node.hpp"
-#include "tasks/nodes/together_node.hpp"
-#include "tasks/nodes/try_node.hpp"
-#include "tasks/task.hpp"
+#include "striate/tasks/nodes/limited_node.hpp"
+#include "striate/tasks/nodes/only_if_node.hpp"
+#include "striate/tasks/nodes/optional_node.hpp"
+#include "striate/tasks/nodes/recover_node.hpp"
+#include "striate/tasks/nodes/repeat_node.hpp"
+#include "striate/tasks/nodes/sequence_node.hpp"
+#include "striate/tasks/nodes/together_node.hpp"
+#include "striate/tasks/nodes/try_node.hpp"
+#include "striate/tasks/task.hpp"
 #include "tests/reference/scripted_behaviour.hpp"
 
 namespace striate::reference {
 
 /// Runs for ever.
-class Endless final : public Behaviour {
+class Endless final : public behaviours::Behaviour {
  public:
-  explicit Endless(Motors motors) : motors_(motors) {}
-  void start(const ShortTermMemory&) override {}
-  Wish tick(const ShortTermMemory& memory) override { return standing_wish(memory, "runs"); }
-  [[nodiscard]] Motors motors() const override { return motors_; }
+  explicit Endless(behaviours::Motors motors) : motors_(motors) {}
+  void start(const memory::ShortTermMemory&) override {}
+  behaviours::Wish tick(const memory::ShortTermMemory& memory) override {
+    return behaviours::standing_wish(memory, "runs");
+  }
+  [[nodiscard]] behaviours::Motors motors() const override { return motors_; }
 
  private:
-  Motors motors_;
+  behaviours::Motors motors_;
 };
 
 /// A tree of 50 nodes of every kind that never ends and ticks every node in every cycle: a task of
 /// one `together` of six branches, each a chain of eight.
 struct FiftyNodes {
   static constexpr int kNodes = 2 + 6 * 8;
-  Task task;
+  tasks::Task task;
 
   FiftyNodes() {
-    std::vector<NodePtr> branches;
-    for (const Motors motors : {Motors::wheels, Motors::head, Motors::nothing, Motors::nothing,
-                                Motors::nothing, Motors::nothing}) {
+    std::vector<tasks::NodePtr> branches;
+    for (const behaviours::Motors motors :
+         {behaviours::Motors::wheels, behaviours::Motors::head, behaviours::Motors::nothing,
+          behaviours::Motors::nothing, behaviours::Motors::nothing, behaviours::Motors::nothing}) {
       branches.push_back(chain(motors));
     }
-    std::vector<Guard> guards(1);
+    std::vector<tasks::Guard> guards(1);
     guards[0].condition = std::make_unique<Never>();
-    task.root = std::make_unique<ScopeNode>(
-        std::move(guards), std::make_unique<TogetherNode>(std::move(branches)), nullptr);
+    task.root = std::make_unique<tasks::ScopeNode>(
+        std::move(guards), std::make_unique<tasks::TogetherNode>(std::move(branches)), nullptr);
   }
 
  private:
-  class Never final : public Condition {
+  class Never final : public tasks::Condition {
    public:
-    [[nodiscard]] bool holds(const ShortTermMemory& memory) const override {
+    [[nodiscard]] bool holds(const memory::ShortTermMemory& memory) const override {
       return memory.distance_travelled_m() > 1e9;
     }
   };
 
-  static NodePtr chain(Motors motors) {
-    NodePtr node = std::make_unique<ActionNode>("endless", 1, std::make_unique<Endless>(motors));
-    Limits limits;
+  static tasks::NodePtr chain(behaviours::Motors motors) {
+    tasks::NodePtr node =
+        std::make_unique<tasks::ActionNode>("endless", 1, std::make_unique<Endless>(motors));
+    tasks::Limits limits;
     limits.until = std::make_unique<Never>();
     limits.within = std::chrono::hours(1);
-    node = std::make_unique<LimitedNode>("endless", 1, std::move(node), std::move(limits));
-    node = std::make_unique<RecoverNode>(std::move(node),
-                                         std::make_unique<SequenceNode>(std::vector<NodePtr>{}), 1);
-    node = std::make_unique<OptionalNode>(std::move(node));
-    node = std::make_unique<OnlyIfNode>(std::move(node), nullptr, std::make_unique<Never>());
-    node = std::make_unique<SequenceNode>(nodes(std::move(node)));
-    node = std::make_unique<TryNode>(nodes(std::move(node)));
-    return std::make_unique<RepeatNode>(std::move(node), 0);
+    node = std::make_unique<tasks::LimitedNode>("endless", 1, std::move(node), std::move(limits));
+    node = std::make_unique<tasks::RecoverNode>(
+        std::move(node), std::make_unique<tasks::SequenceNode>(std::vector<tasks::NodePtr>{}), 1);
+    node = std::make_unique<tasks::OptionalNode>(std::move(node));
+    node = std::make_unique<tasks::OnlyIfNode>(std::move(node), nullptr, std::make_unique<Never>());
+    node = std::make_unique<tasks::SequenceNode>(nodes(std::move(node)));
+    node = std::make_unique<tasks::TryNode>(nodes(std::move(node)));
+    return std::make_unique<tasks::RepeatNode>(std::move(node), 0);
   }
 };
 

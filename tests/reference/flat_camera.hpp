@@ -1,6 +1,6 @@
 #pragma once
 
-#include "perception/percept.hpp"
+#include "striate/perception/percept.hpp"
 #include "tests/reference/flat_world.hpp"
 
 /// What the robot's vision would say in the flat world, with the real one's limits and errors.
@@ -10,9 +10,9 @@ struct CameraErrors {
   double disparity_px = 0.30;      ///< shared by neighbouring columns
   double own_disparity_px = 0.12;  ///< of each column
   double unknown_share = 0.06;     ///< of columns, at random
-  double unknown_bursts = 0.15;    ///< per picture: a run of columns knows nothing
+  double unknown_bursts = 0.15;    ///< per image: a run of columns knows nothing
   double lone_phantoms = 0.004;    ///< per column: something where nothing is
-  double phantom_bursts = 0.015;   ///< per picture: three to five such columns in a row
+  double phantom_bursts = 0.015;   ///< per image: three to five such columns in a row
   double floor_seen = 0.85;        ///< share of columns in which floor is seen
 };
 
@@ -33,8 +33,8 @@ class Camera {
     half_rows_rad_ = wider == 1.0 ? 0.2871 : std::atan(wider * std::tan(0.2871));
   }
 
-  Percept look(const World& world, TimePoint stamp) {
-    Percept percept;
+  perception::Percept look(const World& world, TimePoint stamp) {
+    perception::Percept percept;
     percept.stamp = stamp;
     percept.valid = true;
     percept.light_level = 0.45;
@@ -58,13 +58,13 @@ class Camera {
     bool blank;
   };
 
-  void see_all(const World& world, Percept& percept) {
+  void see_all(const World& world, perception::Percept& percept) {
     double node[kColumns / 8 + 2];
     heights_m_.assign(kColumns, 0.0);
     for (double& n : node) n = errors_.disparity_px * random_.normal();
     for (int u = 0; u < kColumns; ++u) {
       const double bearing = world.head().pan_rad + std::atan((79.5 - u) / focal_px_);
-      Column& column = percept.columns[static_cast<std::size_t>(u)];
+      perception::Column& column = percept.columns[static_cast<std::size_t>(u)];
       column.bearing_rad = bearing;
       const double t = (u % 8) / 8.0;
       const double error_px = (1.0 - t) * node[u / 8] + t * node[u / 8 + 1] +
@@ -74,7 +74,7 @@ class Camera {
   }
 
   /// Returns the height of the highest part seen of what the column meets.
-  double see(const World& world, double bearing, double error_px, Column& column) {
+  double see(const World& world, double bearing, double error_px, perception::Column& column) {
     double height_m = 0.0;
     hits_.clear();
     cast(world, bearing);
@@ -151,14 +151,14 @@ class Camera {
   }
 
   // Neighbouring columns at about the same distance are one blob.
-  void group(Percept& percept) const {
+  void group(perception::Percept& percept) const {
     for (int u = 0; u < kColumns; ++u) {
-      const Column& column = percept.columns[static_cast<std::size_t>(u)];
+      const perception::Column& column = percept.columns[static_cast<std::size_t>(u)];
       if (!std::isfinite(column.obstacle_m)) continue;
       const double height_m = heights_m_[static_cast<std::size_t>(u)];
       if (!percept.obstacles.empty() && percept.obstacles.back().to_u_px == u - 1 &&
           std::abs(percept.obstacles.back().distance_m - column.obstacle_m) < 0.25) {
-        Obstacle& blob = percept.obstacles.back();
+        perception::Obstacle& blob = percept.obstacles.back();
         blob.to_u_px = u;
         blob.distance_m = std::min(blob.distance_m, column.obstacle_m);
         blob.height_m = std::max(blob.height_m, height_m);
@@ -170,12 +170,12 @@ class Camera {
   }
 
   // Stereo with support windows widens what stands before something farther.
-  static void fatten(Percept& percept) {
-    const std::vector<Column> seen = percept.columns;
+  static void fatten(perception::Percept& percept) {
+    const std::vector<perception::Column> seen = percept.columns;
     for (int u = 0; u < kColumns; ++u) {
-      Column& column = percept.columns[static_cast<std::size_t>(u)];
+      perception::Column& column = percept.columns[static_cast<std::size_t>(u)];
       for (int k = std::max(0, u - 2); k <= std::min(kColumns - 1, u + 2); ++k) {
-        const Column& other = seen[static_cast<std::size_t>(k)];
+        const perception::Column& other = seen[static_cast<std::size_t>(k)];
         if (other.obstacle_m < column.obstacle_m - 0.1) {
           column.obstacle_m = other.obstacle_m;
           column.obstacle_confidence = other.obstacle_confidence;
@@ -185,8 +185,8 @@ class Camera {
     }
   }
 
-  void disturb(Percept& percept) {
-    for (Column& column : percept.columns) {
+  void disturb(perception::Percept& percept) {
+    for (perception::Column& column : percept.columns) {
       if (random_.chance(errors_.unknown_share)) blind(column);
       if (random_.chance(errors_.lone_phantoms)) phantom(column, random_.between(0.8, 4.0));
     }
@@ -201,19 +201,19 @@ class Camera {
     }
   }
 
-  static void blind(Column& column) {
+  static void blind(perception::Column& column) {
     const double bearing = column.bearing_rad;
     column = {};
     column.bearing_rad = bearing;
   }
 
-  static void phantom(Column& column, double distance_m) {
+  static void phantom(perception::Column& column, double distance_m) {
     column.obstacle_m = distance_m;
     column.obstacle_confidence = 0.6;
     column.free_to_m = std::min(column.free_to_m, distance_m - 0.1);
   }
 
-  void see_corridor(const World& world, Percept& percept) {
+  void see_corridor(const World& world, perception::Percept& percept) {
     // Only looking about along it, and only as good as lines in 160 columns are.
     const double heading = -world.pose().heading_rad;
     if (std::abs(wrap_angle(heading - world.head().pan_rad)) > 0.5) return;

@@ -6,7 +6,7 @@
 #include "tests/reference/flat_run.hpp"
 
 /// Landmarks of the flat world, and what recognition would say of them: in view, near enough, with
-/// errors of bearing and distance, and not in every picture.
+/// errors of bearing and distance, and not in every image.
 namespace striate::flat {
 
 struct Landmark {
@@ -30,7 +30,7 @@ class Recogniser {
 
   void operator()(Loop& loop) {
     for (std::size_t i = 0; i < landmarks_.size(); ++i) {
-      const Point2 seen = to_inner(loop.world.pose(), landmarks_[i].at);
+      const Point2 seen = inverse_transform(loop.world.pose(), landmarks_[i].at);
       const double distance_m = std::hypot(seen.x_m, seen.y_m);
       const double bearing_rad = std::atan2(seen.y_m, seen.x_m);
       const double off_rad = wrap_angle(bearing_rad - loop.world.head().pan_rad);

@@ -39,18 +39,18 @@ inline void add_chair(Layout& layout, Point2 at, double turn_rad) {
   const Pose2 pose{at.x_m, at.y_m, turn_rad};
   for (const double a : {-0.19, 0.19}) {
     for (const double b : {-0.19, 0.19}) {
-      layout.columns.push_back({to_outer(pose, Point2{a, b}), 0.02, 0.45});
+      layout.columns.push_back({transform(pose, Point2{a, b}), 0.02, 0.45});
     }
   }
   add_box(layout, at, 0.40, 0.40, turn_rad, 0.40, 0.47);
-  add_box(layout, to_outer(pose, Point2{-0.19, 0.0}), 0.03, 0.40, turn_rad, 0.47, 0.90);
+  add_box(layout, transform(pose, Point2{-0.19, 0.0}), 0.03, 0.40, turn_rad, 0.47, 0.90);
 }
 
 inline void add_table(Layout& layout, Point2 at, double turn_rad) {
   const Pose2 pose{at.x_m, at.y_m, turn_rad};
   for (const double a : {-0.45, 0.45}) {
     for (const double b : {-0.27, 0.27}) {
-      layout.columns.push_back({to_outer(pose, Point2{a, b}), 0.025, 0.72});
+      layout.columns.push_back({transform(pose, Point2{a, b}), 0.025, 0.72});
     }
   }
   add_box(layout, at, 1.0, 0.6, turn_rad, 0.69, 0.75);

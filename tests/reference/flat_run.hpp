@@ -4,10 +4,10 @@
 #include <functional>
 #include <string>
 
-#include "behaviours/arbiter.hpp"
-#include "behaviours/behaviour.hpp"
-#include "behaviours/safety_limiter.hpp"
-#include "memory/short_term_memory.hpp"
+#include "striate/behaviours/control/arbiter.hpp"
+#include "striate/behaviours/control/behaviour.hpp"
+#include "striate/behaviours/control/safety_limiter.hpp"
+#include "striate/memory/short_term/short_term_memory.hpp"
 #include "tests/reference/flat_camera.hpp"
 
 /// The whole loop in the flat world: see, remember, want, move. As in the judged runs the
@@ -18,7 +18,7 @@ struct RunResult {
   bool reached = false;
   bool touched = false;
   bool touched_person = false;
-  Progress progress = Progress::running;
+  behaviours::Progress progress = behaviours::Progress::running;
   double duration_s = 0.0;
   double nearest_m = 0.0;
   Pose2 end;
@@ -35,8 +35,8 @@ class Loop {
         memory({}, robot),
         limiter({}, robot) {}
 
-  /// One cycle of 100 ms. Pictures arrive one cycle after they were taken.
-  Wish cycle(Behaviour& behaviour, const char* name) {
+  /// One cycle of 100 ms. Images arrive one cycle after they were taken.
+  behaviours::Wish cycle(behaviours::Behaviour& behaviour, const char* name) {
     world.advance(0.1);
     senses.now = TimePoint(std::chrono::milliseconds(100 * ++cycles));
     senses.odometry = {senses.now, world.odometry(), world.forward_m_s(), world.turn_rad_s()};
@@ -49,25 +49,26 @@ class Loop {
     memory.update(senses, arrived);
     if (recognises) recognises(*this);
     if (cycles == 2) behaviour.start(memory);
-    Wish wish = cycles < 2 ? standing_wish(memory, "waits for eyes") : behaviour.tick(memory);
-    arbiter.offer(MotorOwner::behaviour, wish);
+    behaviours::Wish wish =
+        cycles < 2 ? behaviours::standing_wish(memory, "waits for eyes") : behaviour.tick(memory);
+    arbiter.offer(behaviours::MotorOwner::behaviour, wish);
     limited = limiter.limit(arbiter.decide(senses.now), senses, memory);
     memory.remember(limited.command, name);
     world.send(held ? MotorCommand{} : limited.command);
     return wish;
   }
 
-  RunResult run(Behaviour& behaviour, double limit_s,
-                const std::function<void(const Wish&)>& watch = {}) {
+  RunResult run(behaviours::Behaviour& behaviour, double limit_s,
+                const std::function<void(const behaviours::Wish&)>& watch = {}) {
     RunResult result;
     while (world.time_s() < limit_s) {
-      const Wish wish = cycle(behaviour, "traverse_corridor");
+      const behaviours::Wish wish = cycle(behaviour, "traverse_corridor");
       if (watch) watch(wish);
       result.why = std::string(wish.why.view());
       result.progress = wish.progress;
       result.touched = world.touched();
       result.reached = world.pose().x_m > world.layout().goal_x_m;
-      if (result.touched || result.reached || wish.progress != Progress::running) break;
+      if (result.touched || result.reached || wish.progress != behaviours::Progress::running) break;
     }
     result.touched_person = world.touched_person();
     result.duration_s = world.time_s();
@@ -79,13 +80,13 @@ class Loop {
   RobotDescription robot;
   World world;
   Camera camera;
-  ShortTermMemory memory;
-  SafetyLimiter limiter;
-  Arbiter arbiter;
-  Limited limited;  ///< in the last cycle
+  memory::ShortTermMemory memory;
+  behaviours::SafetyLimiter limiter;
+  behaviours::Arbiter arbiter;
+  behaviours::Limited limited;  ///< in the last cycle
   Senses senses;
-  Percept arrived;
-  std::deque<Percept> pictures;
+  perception::Percept arrived;
+  std::deque<perception::Percept> pictures;
   int cycles = 0;
   bool camera_off = false;
   std::function<void(Loop&)> recognises;  ///< puts sightings into memory

@@ -7,8 +7,8 @@
 #include <numbers>
 #include <vector>
 
-#include "base/geometry.hpp"
-#include "platform/interface/robot.hpp"
+#include "striate/base/geometry.hpp"
+#include "striate/platform/interface/robot.hpp"
 
 /// A flat test world: walls, things and people on a plane, and a differential drive among them.
 /// Nothing is rendered, so that closed loops of thousands of cycles run in a second. It is a
@@ -82,7 +82,7 @@ struct Layout {
   std::vector<Person> people;
   Pose2 start;
   double goal_x_m = 30.0;
-  bool corridor_views = true;  ///< whether pictures show the corridor now and then
+  bool corridor_views = true;  ///< whether images show the corridor now and then
 };
 
 inline void add_box(Layout& layout, Point2 middle, double long_m, double wide_m, double turn_rad,
@@ -90,8 +90,8 @@ inline void add_box(Layout& layout, Point2 middle, double long_m, double wide_m,
   const Pose2 pose{middle.x_m, middle.y_m, turn_rad};
   const double a = 0.5 * long_m;
   const double b = 0.5 * wide_m;
-  const Point2 corner[4] = {to_outer(pose, Point2{a, b}), to_outer(pose, Point2{-a, b}),
-                            to_outer(pose, Point2{-a, -b}), to_outer(pose, Point2{a, -b})};
+  const Point2 corner[4] = {transform(pose, Point2{a, b}), transform(pose, Point2{-a, b}),
+                            transform(pose, Point2{-a, -b}), transform(pose, Point2{a, -b})};
   for (int i = 0; i < 4; ++i) {
     layout.faces.push_back({corner[i], corner[(i + 1) % 4], bottom_m, top_m, blank});
   }
@@ -160,7 +160,7 @@ class World {
 
  private:
   [[nodiscard]] double point_distance(Point2 world) const {
-    const Point2 p = to_inner(pose_, world);
+    const Point2 p = inverse_transform(pose_, world);
     const double dx = std::max({p.x_m - robot_.front_m, -robot_.rear_m - p.x_m, 0.0});
     const double dy = std::max(std::abs(p.y_m) - robot_.half_width_m, 0.0);
     return std::hypot(dx, dy);
@@ -171,7 +171,7 @@ class World {
     double least = std::min(point_distance(face.from), point_distance(face.to));
     const double length_m = std::hypot(face.to.x_m - face.from.x_m, face.to.y_m - face.from.y_m);
     const int parts = std::max(1, static_cast<int>(length_m / 0.02));
-    const Point2 near = to_inner(pose_, face.from);
+    const Point2 near = inverse_transform(pose_, face.from);
     static_cast<void>(near);
     for (int i = 1; i < parts; ++i) {
       const double t = static_cast<double>(i) / parts;
@@ -192,9 +192,9 @@ class World {
     turn_ = ease(turn_, command_.turn_rad_s, robot_.max_turn_acceleration_rad_s2);
     head_.pan_rad = ease(head_.pan_rad, command_.pan_rad, 1.2);
     head_.tilt_rad = ease(head_.tilt_rad, command_.tilt_rad, 1.2);
-    pose_ = to_outer(pose_, Pose2{forward_ * dt, 0.0, turn_ * dt});
+    pose_ = transform(pose_, Pose2{forward_ * dt, 0.0, turn_ * dt});
     const double felt_turn = turn_ * turn_error_ + forward_ * turn_bias_rad_m_;
-    odometry_ = to_outer(odometry_, Pose2{forward_ * way_error_ * dt, 0.0, felt_turn * dt});
+    odometry_ = transform(odometry_, Pose2{forward_ * way_error_ * dt, 0.0, felt_turn * dt});
     for (Person& person : layout_.people) move(person, dt);
     if (++ticks_ % 2 == 0) {
       const double clear_m = clearance_m();

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "perception/percept.hpp"
-#include "platform/interface/senses.hpp"
+#include "striate/perception/percept.hpp"
+#include "striate/platform/interface/senses.hpp"
 
 /// Hand-made senses and percepts for tests of memory.
 namespace striate::looks {
@@ -21,8 +21,8 @@ inline Senses senses_at(int milliseconds, const Pose2& odometry) {
 }
 
 /// 161 columns over 43 degrees about `middle_rad`; nothing known yet.
-inline Percept blank_percept(int milliseconds, double middle_rad = 0.0) {
-  Percept percept;
+inline perception::Percept blank_percept(int milliseconds, double middle_rad = 0.0) {
+  perception::Percept percept;
   percept.stamp = at_ms(milliseconds);
   percept.valid = true;
   percept.light_level = 0.5;
@@ -36,8 +36,8 @@ inline Percept blank_percept(int milliseconds, double middle_rad = 0.0) {
   return percept;
 }
 
-inline void see_floor(Percept& percept, double from_m, double to_m) {
-  for (Column& column : percept.columns) {
+inline void see_floor(perception::Percept& percept, double from_m, double to_m) {
+  for (perception::Column& column : percept.columns) {
     column.free_from_m = from_m;
     column.free_to_m = to_m;
     column.free_confidence = 0.9;
@@ -45,8 +45,9 @@ inline void see_floor(Percept& percept, double from_m, double to_m) {
 }
 
 /// Something in all columns within `half_rad` of `bearing_rad`.
-inline void see_thing(Percept& percept, double bearing_rad, double half_rad, double distance_m) {
-  for (Column& column : percept.columns) {
+inline void see_thing(perception::Percept& percept, double bearing_rad, double half_rad,
+                      double distance_m) {
+  for (perception::Column& column : percept.columns) {
     if (std::abs(column.bearing_rad - bearing_rad) > half_rad) continue;
     column.obstacle_m = distance_m;
     column.obstacle_confidence = 0.9;

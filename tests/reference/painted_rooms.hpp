@@ -13,7 +13,7 @@
 /// Rooms with boxes and balls, seen by two eyes, with the true disparity of every pixel. Made by
 /// rule: rays against shapes whose grain is noise in space, so that both eyes see the same grain
 /// wherever they see the same place. Beside vivid surfaces there are nearly blank ones; every
-/// picture has noise of its own, and the right eye is exposed differently.
+/// image has noise of its own, and the right eye is exposed differently.
 namespace striate::reference {
 
 struct Vec {
@@ -85,10 +85,10 @@ class PaintedRoom {
     return shape;
   }
 
-  void look(double eye_x_m, double gain, std::uint64_t eye, cv::Mat3b& picture,
+  void look(double eye_x_m, double gain, std::uint64_t eye, cv::Mat3b& image,
             cv::Mat1f& disparity_px) const {
     constexpr double kNoise = 2.0;  // grey levels
-    picture.create(kHeight, kWidth);
+    image.create(kHeight, kWidth);
     disparity_px.create(kHeight, kWidth);
     for (int v = 0; v < kHeight; ++v) {
       for (int u = 0; u < kWidth; ++u) {
@@ -105,7 +105,7 @@ class PaintedRoom {
         for (int c = 0; c < 3; ++c) {
           const auto at = static_cast<std::uint64_t>((v * kWidth + u) * 3 + c);
           const double noise = kNoise * std::sqrt(12.0) * (dice(at, eye, 77, seed_) - 0.5);
-          picture(v, u)[c] = cv::saturate_cast<uchar>(
+          image(v, u)[c] = cv::saturate_cast<uchar>(
               gain * (seen->bgr[static_cast<std::size_t>(c)] + grain) + noise);
         }
         disparity_px(v, u) = static_cast<float>(kFocal_px * kBaseline_m / depth_m);

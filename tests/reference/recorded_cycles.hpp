@@ -5,21 +5,21 @@
 #include <sstream>
 #include <string>
 
-#include "platform/replay/recording_codec.hpp"
-#include "platform/replay/recording_format.hpp"
+#include "striate/platform/replay/recording_codec.hpp"
+#include "striate/platform/replay/recording_format.hpp"
 
 /// Recordings for tests, with a value of its own in every field.
 namespace striate::reference {
 
-inline cv::Mat3b noisy_picture(int width_px, int height_px, unsigned seed) {
-  cv::Mat3b picture(height_px, width_px);
-  for (cv::Vec3b& pixel : picture) {
+inline cv::Mat3b noisy_image(int width_px, int height_px, unsigned seed) {
+  cv::Mat3b image(height_px, width_px);
+  for (cv::Vec3b& pixel : image) {
     for (int c = 0; c < 3; ++c) {
       seed = seed * 1664525U + 1013904223U;
       pixel[c] = static_cast<std::uint8_t>(seed >> 24U);
     }
   }
-  return picture;
+  return image;
 }
 
 inline replay::RecordedSetup a_setup() {
@@ -52,8 +52,8 @@ inline replay::RecordedCycle a_cycle(std::uint64_t number) {
   Senses& s = cycle.senses;
   s.now = time(1);
   s.stereo.stamp = time(2);
-  s.stereo.left = noisy_picture(32, 24, static_cast<unsigned>(number));
-  s.stereo.right = noisy_picture(32, 24, static_cast<unsigned>(number) + 1000);
+  s.stereo.left = noisy_image(32, 24, static_cast<unsigned>(number));
+  s.stereo.right = noisy_image(32, 24, static_cast<unsigned>(number) + 1000);
   s.stereo.focal_px = 400.1 + n;
   s.stereo.centre_u_px = 15.5;
   s.stereo.centre_v_px = 11.25;

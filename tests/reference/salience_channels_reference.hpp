@@ -60,7 +60,7 @@ inline cv::Mat1d shape_channel(const Energy& energy) {
   return sum;
 }
 
-/// |now - before moved by `shift`| less twice its median, where both pictures show it, else 0 less
+/// |now - before moved by `shift`| less twice its median, where both images show it, else 0 less
 /// that. `shift`: the one of all up to 6 px (a quarter of the side at most) with the least mean
 /// difference at every second pixel of what both show; of equals the first, no shift before all.
 inline cv::Mat1d motion_channel(const cv::Mat1d& now, const cv::Mat1d& before, cv::Point& shift) {

@@ -5,7 +5,7 @@
 #include <opencv2/core/mat.hpp>
 #include <vector>
 
-#include "perception/percept.hpp"
+#include "striate/perception/percept.hpp"
 
 /// Saliency as the paper writes it, plainly: six colour maps at full size, CIE formulas, Gaussians
 /// by direct sums in double precision, mirrored borders. Slow; for comparison only.
@@ -19,15 +19,15 @@ inline double lab_curve(double t) {
   return t > 216.0 / 24389.0 ? std::cbrt(t) : (24389.0 / 27.0 * t + 16.0) / 116.0;
 }
 
-/// CIE L*a*b* of a BGR picture, white point D65.
-inline std::vector<cv::Mat1d> lab_planes(const cv::Mat3b& picture) {
+/// CIE L*a*b* of a BGR image, white point D65.
+inline std::vector<cv::Mat1d> lab_planes(const cv::Mat3b& image) {
   std::vector<cv::Mat1d> planes(3);
-  for (cv::Mat1d& plane : planes) plane.create(picture.size());
-  for (int v = 0; v < picture.rows; ++v) {
-    for (int u = 0; u < picture.cols; ++u) {
-      const double b = linear_light(picture(v, u)[0] / 255.0);
-      const double g = linear_light(picture(v, u)[1] / 255.0);
-      const double r = linear_light(picture(v, u)[2] / 255.0);
+  for (cv::Mat1d& plane : planes) plane.create(image.size());
+  for (int v = 0; v < image.rows; ++v) {
+    for (int u = 0; u < image.cols; ++u) {
+      const double b = linear_light(image(v, u)[0] / 255.0);
+      const double g = linear_light(image(v, u)[1] / 255.0);
+      const double r = linear_light(image(v, u)[2] / 255.0);
       const double x = (0.412453 * r + 0.357580 * g + 0.180423 * b) / 0.950456;
       const double y = 0.212671 * r + 0.715160 * g + 0.072169 * b;
       const double z = (0.019334 * r + 0.119193 * g + 0.950227 * b) / 1.088754;
@@ -81,15 +81,15 @@ inline void add_rectified_blobs(const cv::Mat1d& map, cv::Mat1d& sum) {
 }
 
 /// Before thresholding; 0..1 if any response reaches `least_contrast`.
-inline cv::Mat1d salience(const cv::Mat3b& picture, const cv::Mat1f& disparity_px, double near_px,
+inline cv::Mat1d salience(const cv::Mat3b& image, const cv::Mat1f& disparity_px, double near_px,
                           double near_gain, double least_contrast) {
-  cv::Mat1d sum(picture.size(), 0.0);
-  for (const cv::Mat1d& plane : lab_planes(picture)) {
+  cv::Mat1d sum(image.size(), 0.0);
+  for (const cv::Mat1d& plane : lab_planes(image)) {
     add_rectified_blobs(plane, sum);
     add_rectified_blobs(100.0 - plane, sum);  // the complement: black, green, blue
   }
   if (!disparity_px.empty()) {
-    cv::Mat1d near(picture.size(), 0.0);
+    cv::Mat1d near(image.size(), 0.0);
     for (int v = 0; v < near.rows; ++v) {
       for (int u = 0; u < near.cols; ++u) {
         const double d = disparity_px(v, u);

@@ -4,7 +4,7 @@
 #include <bitset>
 #include <vector>
 
-#include "perception/descriptor/descriptor_points.hpp"
+#include "striate/perception/descriptor/descriptor_points.hpp"
 #include "tests/reference/v1_reference.hpp"
 
 /// The paper's descriptor and stereo by the book.
@@ -15,7 +15,7 @@ using Bits = std::bitset<256>;
 /// Dense descriptors, row by row: bit point * 8 + orientation = centre > point.
 inline std::vector<Bits> describe(const V1Reference& v1, double wavelength_px,
                                   double widening = 1.0) {
-  const auto points = descriptor_points(wavelength_px, widening);
+  const auto points = perception::descriptor_points(wavelength_px, widening);
   const cv::Size size = v1.energy[0].size();
   std::vector<Bits> result(static_cast<std::size_t>(size.area()));
   for (int y = 0; y < size.height; ++y) {
@@ -72,7 +72,7 @@ inline cv::Mat1b median5(const cv::Mat1b& from) {
 
 /// The paper's stereo to the letter, in double precision.
 inline cv::Mat1b paper_stereo(const cv::Mat& left, const cv::Mat& right, int count,
-                              const V1Settings& settings = {}) {
+                              const perception::V1Settings& settings = {}) {
   const auto left_bits = describe(respond(left, settings), settings.wavelength_px);
   const auto right_bits = describe(respond(right, settings), settings.wavelength_px);
   return median5(best_match(left_bits, right_bits, left.size(), count));

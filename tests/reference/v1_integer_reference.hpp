@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <opencv2/core.hpp>
 
-#include "perception/v1/filter_bank.hpp"
+#include "striate/perception/v1/filter_bank.hpp"
 
 /// The integer algorithm of FilterBank written down plainly: every vector path must give exactly
 /// these numbers.
@@ -29,11 +29,11 @@ inline int grey_at(const cv::Mat& grey, int y, int x) {
 inline std::int64_t row_result(const cv::Mat& grey, const std::vector<std::int16_t>& taps, int y,
                                int x) {
   const int radius = static_cast<int>(taps.size()) / 2;
-  std::int64_t sum = 1 << (FilterBank::kRowShift - 1);
+  std::int64_t sum = 1 << (perception::FilterBank::kRowShift - 1);
   for (int k = -radius; k <= radius; ++k) {
     sum += taps[static_cast<std::size_t>(k + radius)] * grey_at(grey, y, x + k);
   }
-  return sum >> FilterBank::kRowShift;
+  return sum >> perception::FilterBank::kRowShift;
 }
 
 inline std::int64_t box_sum(const cv::Mat& grey, int radius, int y, int x) {
@@ -52,17 +52,17 @@ inline std::int16_t energy_code(std::int64_t even, std::int64_t odd) {
 
 }  // namespace detail
 
-inline V1Integers integer_responses(const cv::Mat& grey, const FilterBank& bank) {
+inline V1Integers integer_responses(const cv::Mat& grey, const perception::FilterBank& bank) {
   V1Integers result;
   for (auto* group : {&result.even, &result.odd, &result.code}) {
     for (cv::Mat1s& plane : *group) plane.create(grey.size());
   }
   const int radius = bank.radius;
-  for (const FilterBank::Pair& pair : bank.pairs) {
+  for (const perception::FilterBank::Pair& pair : bank.pairs) {
     for (int y = 0; y < grey.rows; ++y) {
       for (int x = 0; x < grey.cols; ++x) {
         std::array<std::int64_t, 2> even{}, odd{};
-        for (const FilterBank::Product& p : pair.products) {
+        for (const perception::FilterBank::Product& p : pair.products) {
           for (int k = -radius; k <= radius; ++k) {
             const auto tap = static_cast<std::size_t>(k + radius);
             const std::int64_t row = detail::row_result(grey, p.row, y + k, x);
@@ -70,7 +70,7 @@ inline V1Integers integer_responses(const cv::Mat& grey, const FilterBank& bank)
             odd[static_cast<std::size_t>(p.slot)] += row * p.column_odd[tap];
           }
         }
-        const std::int64_t half = 1 << (FilterBank::kColumnShift - 1);
+        const std::int64_t half = 1 << (perception::FilterBank::kColumnShift - 1);
         even[0] += pair.offset + half;
         if (pair.box_factor != 0) {
           even[0] -= pair.box_factor * detail::box_sum(grey, bank.box_radius, y, x);
@@ -79,8 +79,8 @@ inline V1Integers integer_responses(const cv::Mat& grey, const FilterBank& bank)
         auto store = [&](int orientation, std::int64_t even_sum, std::int64_t odd_sum) {
           if (orientation < 0) return;
           const auto i = static_cast<std::size_t>(orientation);
-          const std::int64_t e = even_sum >> FilterBank::kColumnShift;
-          const std::int64_t o = odd_sum >> FilterBank::kColumnShift;
+          const std::int64_t e = even_sum >> perception::FilterBank::kColumnShift;
+          const std::int64_t o = odd_sum >> perception::FilterBank::kColumnShift;
           result.even[i](y, x) = static_cast<std::int16_t>(e);
           result.odd[i](y, x) = static_cast<std::int16_t>(o);
           result.code[i](y, x) = detail::energy_code(e, o);

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <opencv2/core.hpp>
 
-#include "perception/v1/v1_settings.hpp"
+#include "striate/perception/v1/v1_settings.hpp"
 
 /// V1 by the book: direct convolution in double precision, no shortcut. Slow on purpose.
 namespace striate::reference {
@@ -15,7 +15,7 @@ struct GaborKernel {
 };
 
 /// The paper's kernel of orientation i.
-inline GaborKernel gabor_kernel(const V1Settings& s, int orientation) {
+inline GaborKernel gabor_kernel(const perception::V1Settings& s, int orientation) {
   const double theta = orientation * std::numbers::pi / 8.0;
   const double lambda = s.wavelength_px;
   const double sigma = s.sigma_factor * lambda;
@@ -35,8 +35,8 @@ inline GaborKernel gabor_kernel(const V1Settings& s, int orientation) {
       kernel.odd(y + radius, x + radius) = g * std::cos(phase - std::numbers::pi / 2.0);
     }
   }
-  if (s.even_mean == EvenMean::flat) kernel.even -= cv::mean(kernel.even)[0];
-  if (s.even_mean == EvenMean::envelope) {
+  if (s.even_mean == perception::EvenMean::flat) kernel.even -= cv::mean(kernel.even)[0];
+  if (s.even_mean == perception::EvenMean::envelope) {
     kernel.even -= envelope * (cv::sum(kernel.even)[0] / cv::sum(envelope)[0]);
   }
   return kernel;
@@ -46,12 +46,12 @@ struct V1Reference {
   std::array<cv::Mat1d, 8> even, odd, energy;  ///< energy = even^2 + odd^2: same order as C
 };
 
-/// Responses of all simple and complex cells; the picture is mirrored at its border.
-/// @param picture grey levels 0..255 of any depth; 16 bits count sixteenths, as for V1Cells.
-inline V1Reference respond(const cv::Mat& picture, const V1Settings& settings) {
+/// Responses of all simple and complex cells; the image is mirrored at its border.
+/// @param image grey levels 0..255 of any depth; 16 bits count sixteenths, as for V1Cells.
+inline V1Reference respond(const cv::Mat& image, const perception::V1Settings& settings) {
   V1Reference result;
   cv::Mat1d grey;
-  picture.convertTo(grey, CV_64F, picture.depth() == CV_16U ? 1.0 / 16.0 : 1.0);
+  image.convertTo(grey, CV_64F, image.depth() == CV_16U ? 1.0 / 16.0 : 1.0);
   for (int i = 0; i < 8; ++i) {
     const GaborKernel kernel = gabor_kernel(settings, i);
     const int radius = kernel.even.rows / 2;

@@ -86,12 +86,12 @@ TEST(CommandLine, ConfigTellsEveryValueAndWhereItCameFrom) {
 
 TEST(CommandLine, SimRendersAPlaceAndRefusesNonsense) {
   const TemporaryFolder folder;
-  const std::string picture = folder / "v.png";
-  const Ended good = striate(
-      {"sim", "config/worlds/short.yaml", "--picture", picture, "--at", "2 m, 0.2 m, 5 deg"});
+  const std::string image = folder / "v.png";
+  const Ended good =
+      striate({"sim", "config/worlds/short.yaml", "--picture", image, "--at", "2 m, 0.2 m, 5 deg"});
   EXPECT_EQ(good.exit_code, 0) << good.err;
-  EXPECT_GT(std::filesystem::file_size(picture), 10000U);
-  const Ended bad = striate({"sim", "config/worlds/short.yaml", "--picture", picture, "--at", "2"});
+  EXPECT_GT(std::filesystem::file_size(image), 10000U);
+  const Ended bad = striate({"sim", "config/worlds/short.yaml", "--picture", image, "--at", "2"});
   EXPECT_EQ(bad.exit_code, 2);
   EXPECT_THAT(bad.err, HasSubstr("12 m, 0.2 m, 5 deg"));
 }
@@ -105,10 +105,10 @@ TEST(CommandLine, AResultThatCannotBeWrittenIsSaidBeforeAnythingMoves) {
 }
 
 /// Each row: a --left, a --right, and what the command must say of them. Empty: it must answer.
-TEST(CommandLine, PerceiveRefusesOrAnswersHostilePictures) {
+TEST(CommandLine, PerceiveRefusesOrAnswersHostileImages) {
   const TemporaryFolder folder;
-  const auto write = [&](const std::string& name, const cv::Mat& picture) {
-    cv::imwrite(folder / name, picture);
+  const auto write = [&](const std::string& name, const cv::Mat& image) {
+    cv::imwrite(folder / name, image);
     return folder / name;
   };
   const auto cut = [&](const std::string& name, const std::string& whole) {
@@ -124,17 +124,17 @@ TEST(CommandLine, PerceiveRefusesOrAnswersHostilePictures) {
   const struct {
     std::string left, right, says;
   } rows[] = {
-      {cut("cut.png", good), good, "cut.png: is no picture"},
-      {good, cut("cut.jpg", write("good.jpg", noise)), "cut.jpg: is no picture"},
-      {good, cut("cut.ppm", write("good.ppm", noise)), "cut.ppm: is no picture"},
+      {cut("cut.png", good), good, "cut.png: is no image"},
+      {good, cut("cut.jpg", write("good.jpg", noise)), "cut.jpg: is no image"},
+      {good, cut("cut.ppm", write("good.ppm", noise)), "cut.ppm: is no image"},
       {folder.write("huge.png", huge), good, "huge.png: is 1048736 x 1048696 px"},
       {folder.write("huge.pgm", "P5 40000 40000 255\n"), good, "huge.pgm: is 40000 x 40000 px"},
       {write("one.png", cv::Mat1b(1, 1, uchar{9})), good, "one.png: is 1 x 1 px"},
       {good, write("small.png", cv::Mat1b(60, 80, uchar{9})), "small.png is 80 x 60"},
       {folder.write("nan.pfm", "Pf\n160 120\n-1\n" + std::string(4 * 160 * 120, '\xff')), good,
        "nan.pfm: has floating-point pixels"},
-      {folder.write("text.png", "no picture"), good, "text.png: is no picture"},
-      {folder.write("empty.png", ""), good, "empty.png: is no picture"},
+      {folder.write("text.png", "no image"), good, "text.png: is no image"},
+      {folder.write("empty.png", ""), good, "empty.png: is no image"},
       {folder / "nowhere.png", good, "nowhere.png: no such file"},
       {write("deep.png", cv::Mat3w(120, 160, cv::Vec3w::all(40000))), good, ""},
       {write("grey.png", cv::Mat1b(120, 160, uchar{9})), good, ""},

@@ -70,13 +70,13 @@ TEST(ForgivingCommandLine, OneActionIsShownWithItsParameters) {
 
 TEST(ForgivingCommandLine, AnOldNameStillWorksAndSaysTheNewOne) {
   const TemporaryFolder folder;
-  const auto picture = [&](const std::string& file, const std::string& option) {
+  const auto image = [&](const std::string& file, const std::string& option) {
     return striate({"sim", "config/worlds/short.yaml", "--picture", folder / file, option, "-20"});
   };
-  const Ended before = picture("old.png", "--tilt");
+  const Ended before = image("old.png", "--tilt");
   EXPECT_EQ(before.exit_code, 0) << before.err;
   EXPECT_THAT(before.err, HasSubstr("striate sim: --tilt is now called --tilt-deg"));
-  const Ended after = picture("new.png", "--tilt-deg");
+  const Ended after = image("new.png", "--tilt-deg");
   EXPECT_EQ(after.exit_code, 0) << after.err;
   EXPECT_THAT(after.err, IsEmpty());
   EXPECT_EQ(read_text(folder / "old.png"), read_text(folder / "new.png"));

@@ -42,7 +42,7 @@ TEST(MemoryCommand, AFullDiskIsSaidAndWhatWasTaughtBeforeIsThere) {
   Ended last;
   for (int seed = 1; seed < 12; ++seed) {
     last = striate({"teach", "thing " + std::to_string(seed), "--image",
-                    picture_of_a_thing(folder, seed), "--memory", file});
+                    image_of_a_thing(folder, seed), "--memory", file});
     if (last.exit_code != 0) break;
     ++kept;
   }

@@ -44,7 +44,7 @@ TEST_P(OtherEyes, DriveTheSameBehavioursAndAreNamedInTheResult) {
 
 INSTANTIATE_TEST_SUITE_P(Baselines, OtherEyes, testing::Values("sgbm", "truth"));
 
-TEST(OtherEyes, ThatAreNotKnownAreAMistakeOfTheUser) {
+TEST(OtherEyes, ThatAreNotKnownAreADiagnosticOfTheUser) {
   const Ended ended = striate({"run", "config/tasks/corridor.yaml", "--world",
                                "config/worlds/short.yaml", "--baseline", "eagle"});
   EXPECT_EQ(ended.exit_code, 2);

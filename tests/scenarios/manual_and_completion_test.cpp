@@ -78,7 +78,7 @@ TEST(Completion, ZshReadsItsScript) {
   EXPECT_EQ(script.exit_code, 0);
   EXPECT_THAT(lines_of(script.out).front(), "#compdef striate");
   EXPECT_THAT(script.out, HasSubstr("\"striate run --baseline\") values=\"paper sgbm truth\""));
-  if (!there_is("zsh")) GTEST_SKIP() << "there is no zsh here";
+  ASSERT_TRUE(there_is("zsh")) << "cmake/packages.txt has it";
   const Ended read = bash("\"$striate\" help --completion zsh | zsh -n /dev/stdin");
   EXPECT_EQ(read.exit_code, 0) << read.err;
 }
@@ -90,12 +90,11 @@ TEST(ManualPage, HasEveryCommandAndOption) {
                               "EXIT STATUS", "ENVIRONMENT", "FILES", "EXAMPLES"}) {
     EXPECT_THAT(page.out, HasSubstr(std::string("\n.SH ") + section + "\n"));
   }
-  EXPECT_THAT(page.out,
-              AllOf(HasSubstr("\n.SS striate memory list\n"),
-                    HasSubstr("\n.SS striate learn\\-descriptor\n"),
-                    HasSubstr("\\fB\\-\\-tilt\\-deg\\fR \\fIFLOAT\\fR\n"),
-                    HasSubstr("(from \\-60 to 60; default \\-13; only with \\-\\-picture)"),
-                    HasSubstr("\\fB\\-\\-kind\\fR p3dx|p3dx\\-sh\n")));
+  EXPECT_THAT(page.out, AllOf(HasSubstr("\n.SS striate memory list\n"),
+                              HasSubstr("\n.SS striate learn\\-descriptor\n"),
+                              HasSubstr("\\fB\\-\\-tilt\\-deg\\fR \\fIFLOAT\\fR\n"),
+                              HasSubstr("(from \\-60 to 60; default \\-13; only with \\-\\-image)"),
+                              HasSubstr("\\fB\\-\\-kind\\fR p3dx|p3dx\\-sh\n")));
   // Every option that any help shows stands in the page.
   for (const std::string& line : lines_of(striate({"help", "run"}).out)) {
     const std::size_t at = line.find("  --");
@@ -118,7 +117,7 @@ TEST(ManualPage, NoLineIsTakenForAnUnknownRequest) {
 }
 
 TEST(ManualPage, GroffSetsItWithoutAWarning) {
-  if (!there_is("groff")) GTEST_SKIP() << "there is no groff here";
+  ASSERT_TRUE(there_is("groff")) << "cmake/packages.txt has it";
   const Ended set =
       bash("set -o pipefail\n\"$striate\" help --man | groff -man -Tutf8 -ww -P-cbou");
   EXPECT_EQ(set.exit_code, 0);

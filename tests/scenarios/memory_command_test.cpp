@@ -20,14 +20,14 @@ void execute(const std::string& file, const std::string& sql) {
   SQLite::Database(file, SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE).exec(sql);
 }
 
-TEST(Teach, FromPicturesAndAFolderThenLookedInto) {
+TEST(Teach, FromImagesAndAFolderThenLookedInto) {
   const TemporaryFolder folder;
   const std::string file = folder / "home.db";
-  teach(file, "book", picture_of_a_thing(folder, 1));
+  teach(file, "book", image_of_a_thing(folder, 1));
   std::filesystem::create_directory(folder / "cup");
   for (const int seed : {2, 3}) {
-    const std::string picture = picture_of_a_thing(folder, seed);
-    std::filesystem::rename(picture, (folder / "cup") + "/" + std::to_string(seed) + ".png");
+    const std::string image = image_of_a_thing(folder, seed);
+    std::filesystem::rename(image, (folder / "cup") + "/" + std::to_string(seed) + ".png");
   }
   const Ended cup = striate({"teach", "cup", "--image", folder / "cup", "--memory", file});
   EXPECT_EQ(cup.exit_code, 0) << cup.err;
@@ -42,9 +42,9 @@ TEST(Teach, FromPicturesAndAFolderThenLookedInto) {
   const std::string robot = folder.write("robot.yaml", "long_term_memory: {goal_spread: 3}\n");
   EXPECT_EQ(memory_json(file, {"why", "book", "--goal", "book", "--robot", robot}).at("goal"), 3.0);
   EXPECT_EQ(memory_json(file, {"show", "cup"}).at("looks").size(), 2U);
-  const std::string picture = folder / "cup.png";
-  EXPECT_THAT(memory(file, {"show", "cup", "--picture", picture}).out, HasSubstr("320 px"));
-  EXPECT_FALSE(cv::imread(picture).empty());
+  const std::string image = folder / "cup.png";
+  EXPECT_THAT(memory(file, {"show", "cup", "--picture", image}).out, HasSubstr("320 px"));
+  EXPECT_FALSE(cv::imread(image).empty());
   EXPECT_THAT(memory(file, {"episodes"}).out, HasSubstr("taught"));
   EXPECT_EQ(memory_json(file, {"episodes", "--most", "1"}).size(), 1U);
   EXPECT_THAT(memory(file, {"check"}).out, HasSubstr("good: 2 landmarks, 3 views"));
@@ -54,9 +54,9 @@ TEST(Teach, FromPicturesAndAFolderThenLookedInto) {
 TEST(Teach, SaysWhatLooksAlikeAndWhatHasNoStructureAndCanBeUndone) {
   const TemporaryFolder folder;
   const std::string file = folder / "home.db";
-  const std::string picture = picture_of_a_thing(folder, 1);
-  teach(file, "book", picture);
-  const Ended again = striate({"teach", "cover", "--image", picture, "--memory", file});
+  const std::string image = image_of_a_thing(folder, 1);
+  teach(file, "book", image);
+  const Ended again = striate({"teach", "cover", "--image", image, "--memory", file});
   EXPECT_THAT(again.out, HasSubstr("looks like 'book'"));
   EXPECT_EQ(striate({"teach", "--undo", "--memory", file}).exit_code, 0);
   EXPECT_EQ(memory_json(file, {"list"}).size(), 1U);
@@ -76,7 +76,7 @@ TEST(Teach, SaysWhatLooksAlikeAndWhatHasNoStructureAndCanBeUndone) {
 TEST(MemoryCommand, TablesFitTheTerminal) {
   const TemporaryFolder folder;
   const std::string file = folder / "home.db";
-  teach(file, "a thing with quite a long name that goes on", picture_of_a_thing(folder, 1));
+  teach(file, "a thing with quite a long name that goes on", image_of_a_thing(folder, 1));
   for (const char* width : {"40", "80", "200"}) {
     setenv("COLUMNS", width, 1);
     std::stringstream lines(memory(file, {"list"}).out + memory(file, {"episodes"}).out);
@@ -93,7 +93,7 @@ TEST(MemoryCommand, TablesFitTheTerminal) {
 TEST(MemoryCommand, ForgetRestoreAndPrune) {
   const TemporaryFolder folder;
   const std::string file = folder / "home.db";
-  teach(file, "book", picture_of_a_thing(folder, 1));
+  teach(file, "book", image_of_a_thing(folder, 1));
   EXPECT_EQ(memory(file, {"forget", "book"}).exit_code, 0);
   EXPECT_EQ(memory_json(file, {"list"}).size(), 0U);
   EXPECT_EQ(memory_json(file, {"list", "--all"}).size(), 1U);
@@ -110,16 +110,16 @@ TEST(MemoryCommand, ExportAndImportRoundTripAndMergeJoins) {
   const std::string file = folder / "home.db";
   const std::string copy = folder / "copy.db";
   const std::string text = folder / "home.json";
-  teach(file, "book", picture_of_a_thing(folder, 1));
-  teach(file, "grüne Tasse", picture_of_a_thing(folder, 2));
+  teach(file, "book", image_of_a_thing(folder, 1));
+  teach(file, "grüne Tasse", image_of_a_thing(folder, 2));
   EXPECT_EQ(memory(file, {"export", text}).exit_code, 0);
   EXPECT_THAT(memory(copy, {"import", text}).out, HasSubstr("2 landmarks added"));
   EXPECT_EQ(memory_json(file, {"diff", file, copy}).size(), 0U);
   EXPECT_THAT(memory(file, {"diff", file, copy}).out, HasSubstr("both know the same"));
 
   const std::string other = folder / "other.db";
-  teach(other, "book", picture_of_a_thing(folder, 3));
-  teach(other, "cover", picture_of_a_thing(folder, 1));
+  teach(other, "book", image_of_a_thing(folder, 3));
+  teach(other, "cover", image_of_a_thing(folder, 1));
   const nlohmann::json merged = memory_json(copy, {"merge", other});
   EXPECT_EQ(merged.at("joined"), 2);
   EXPECT_EQ(memory_json(copy, {"show", "book"}).at("views"), 2);
@@ -134,7 +134,7 @@ TEST(MemoryCommand, ExportWritesOverNoMemory) {
   const std::string file = folder / "home.db";
   const std::string other = folder / "other.db";
   const std::string link = folder / "link.json";
-  teach(file, "book", picture_of_a_thing(folder, 1));
+  teach(file, "book", image_of_a_thing(folder, 1));
   execute(other, "CREATE TABLE t (x)");
   std::filesystem::create_symlink(file, link);
   for (const std::string& out : {file, link, other}) {
@@ -162,18 +162,18 @@ TEST(MemoryCommand, DrawsTheMapOfTheGoldenMemory) {
   EXPECT_THAT(memory(file, {"map"}).out,
               AllOf(HasSubstr("12.50 m"), HasSubstr("3.50 m"), HasSubstr("1 cells of 10 cm")));
   EXPECT_EQ(memory_json(file, {"map"}).at("routes").size(), 1U);
-  const std::string picture = folder / "map.png";
-  EXPECT_EQ(memory(file, {"map", "--picture", picture}).exit_code, 0);
+  const std::string image = folder / "map.png";
+  EXPECT_EQ(memory(file, {"map", "--picture", image}).exit_code, 0);
   const std::string drawing = folder / "map.svg";
   EXPECT_EQ(memory(file, {"map", "--picture", drawing}).exit_code, 0);
   EXPECT_THAT(read_text(drawing),
               AllOf(HasSubstr("<svg"), HasSubstr(">book</text>"), HasSubstr("</svg>")));
-  EXPECT_FALSE(cv::imread(picture).empty());
+  EXPECT_FALSE(cv::imread(image).empty());
   // Nobody's file is hurt by a mistake: a foreign one is refused by every verb that writes.
   const std::string foreign = folder / "other.db";
   execute(foreign, "CREATE TABLE t (x)");
   EXPECT_EQ(memory(foreign, {"list"}).exit_code, 2);
-  EXPECT_THAT(striate({"teach", "x", "--image", picture, "--memory", foreign}).err,
+  EXPECT_THAT(striate({"teach", "x", "--image", image, "--memory", foreign}).err,
               HasSubstr("not a memory of Striate's"));
 }
 

@@ -27,7 +27,7 @@ TEST(MissionMemory, CanBeLookedIntoWhileItRunsAndSurvivesKillNine) {
   const TemporaryFolder folder;
   const std::string file = folder / "home.db";
   const std::string task = folder.write("t.yaml", "striate: 1\ndo:\n  - wait: {for: 600 s}\n");
-  teach(file, "book", picture_of_a_thing(folder, 1));
+  teach(file, "book", image_of_a_thing(folder, 1));
   const pid_t mission = start_mission(task, file);
   nlohmann::json episodes;
   for (int k = 0; k < 300 && episodes.size() < 2; ++k) {
@@ -42,7 +42,7 @@ TEST(MissionMemory, CanBeLookedIntoWhileItRunsAndSurvivesKillNine) {
   kill(mission, SIGKILL);
   waitpid(mission, nullptr, 0);
   const Ended next =
-      striate({"teach", "cup", "--image", picture_of_a_thing(folder, 2), "--memory", file});
+      striate({"teach", "cup", "--image", image_of_a_thing(folder, 2), "--memory", file});
   EXPECT_EQ(next.exit_code, 0);
   EXPECT_THAT(next.err,
               AllOf(HasSubstr("(mission) ended without closing"), HasSubstr("found no damage")));
@@ -60,9 +60,9 @@ TEST(MissionMemory, ATaskThatNeedsALandmarkIsCheckedAgainstIt) {
   };
   EXPECT_EQ(run().exit_code, 2);
   EXPECT_FALSE(std::filesystem::exists(file));
-  teach(file, "bok", picture_of_a_thing(folder, 1));
+  teach(file, "bok", image_of_a_thing(folder, 1));
   EXPECT_THAT(run().err, HasSubstr("the memory knows no landmark 'book'"));
-  teach(file, "book", picture_of_a_thing(folder, 2));
+  teach(file, "book", image_of_a_thing(folder, 2));
   EXPECT_EQ(run().exit_code, 0);
 }
 

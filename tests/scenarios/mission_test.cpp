@@ -1,11 +1,11 @@
-#include "app/mission.hpp"
+#include "striate/agent/mission.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "app/simulated_body.hpp"
+#include "striate/agent/simulated_body.hpp"
 #include "tests/scenarios/striate_process.hpp"
 
 namespace striate::scenarios {
@@ -13,14 +13,14 @@ namespace {
 
 const std::string kRoot = std::string(STRIATE_SOURCE_DIR "/");
 
-MissionOptions corridor_task() {
-  MissionOptions options;
+agent::MissionOptions corridor_task() {
+  agent::MissionOptions options;
   options.task = kRoot + "config/tasks/corridor.yaml";
   return options;
 }
 
-BodySource in_short_world() {
-  return simulated_pioneer({.world = kRoot + "config/worlds/short.yaml", .seed = 3});
+agent::BodySource in_short_world() {
+  return agent::simulated_pioneer({.world = kRoot + "config/worlds/short.yaml", .seed = 3});
 }
 
 nlohmann::json without_wall_clock(const std::string& file) {
@@ -30,7 +30,7 @@ nlohmann::json without_wall_clock(const std::string& file) {
   return json;
 }
 
-TEST(ShortMission, ReachesTheGoalByVisionAloneAndWritesItsPictures) {
+TEST(ShortMission, ReachesTheGoalByVisionAloneAndWritesItsImages) {
   const TemporaryFolder folder;
   const Ended ended =
       striate({"run", "config/tasks/corridor.yaml", "--world", "config/worlds/short.yaml", "--seed",
@@ -92,29 +92,29 @@ TEST(ShortMission, CtrlCStopsTheRobotAndStillWritesTheResult) {
 }
 
 TEST(ShortMission, AnInterruptionBringsTheWheelsToAStandBeforeTheEnd) {
-  Mission mission(corridor_task(), in_short_world());
+  agent::Mission mission(corridor_task(), in_short_world());
   bool drove = false;
-  const RunResult result = mission.run([&](const Mission& running) {
+  const agent::RunResult result = mission.run([&](const agent::Mission& running) {
     drove = drove || running.cycle().trace().senses.odometry.forward_m_s > 0.2;
     return drove;
   });
   EXPECT_TRUE(drove);
-  EXPECT_EQ(result.outcome, RunOutcome::interrupted);
+  EXPECT_EQ(result.outcome, agent::RunOutcome::interrupted);
   EXPECT_EQ(mission.cycle().trace().sent.forward_m_s, 0.0);
   EXPECT_EQ(mission.cycle().trace().sent.turn_rad_s, 0.0);
 }
 
-TEST(CameraFault, NoPictureForHalfASecondMeansStopAndNothingMovesUntilItSeesAgain) {
+TEST(CameraFault, NoImageForHalfASecondMeansStopAndNothingMovesUntilItSeesAgain) {
   const TemporaryFolder folder;
-  MissionOptions options = corridor_task();
+  agent::MissionOptions options = corridor_task();
   options.robot = folder.write(
       "r.yaml", "simulator: {faults: {camera_stops_at: 6 s, camera_returns_at: 10 s}}\n");
-  Mission mission(options, in_short_world());
+  agent::Mission mission(options, in_short_world());
   bool drove_before = false;
   bool drove_after = false;
   double worst_age_driving_s = 0.0;
-  mission.run([&](const Mission& running) {
-    const CycleTrace& trace = running.cycle().trace();
+  mission.run([&](const agent::Mission& running) {
+    const agent::CycleTrace& trace = running.cycle().trace();
     const double now_s = to_seconds(trace.senses.now);
     const double age_s = to_seconds(trace.senses.now - trace.senses.stereo.stamp);
     const bool commands_motion =

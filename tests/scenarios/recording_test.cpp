@@ -62,14 +62,14 @@ TEST_F(RecordedMission, OfWhichTheEndIsMissingIsReplayedUpToThere) {
 
 TEST_F(RecordedMission, TellsWhatShortTermMemoryHeldAtAnyTime) {
   const TemporaryFolder folder;
-  const std::string picture = folder / "map.png";
-  const Ended recalled = striate({"recall", file(), "--at", "6 s", "--json", "--picture", picture});
+  const std::string image = folder / "map.png";
+  const Ended recalled = striate({"recall", file(), "--at", "6 s", "--json", "--picture", image});
   ASSERT_EQ(recalled.exit_code, 0) << recalled.err;
   const nlohmann::json state = json_of(recalled);
   EXPECT_NEAR(state["time_s"].get<double>(), 6.0, 0.11);
   EXPECT_EQ(state["polar_map"].size(), 16U);
   EXPECT_THAT(state["polar_map"].dump(), HasSubstr("."));
-  EXPECT_GT(fs::file_size(picture), 1000U);
+  EXPECT_GT(fs::file_size(image), 1000U);
   EXPECT_THAT(striate({"recall", file(), "--cycle", "60"}).out, HasSubstr("corridor"));
   const Ended late = striate({"recall", file(), "--at", "900 s"});
   EXPECT_EQ(late.exit_code, 2);
@@ -78,11 +78,10 @@ TEST_F(RecordedMission, TellsWhatShortTermMemoryHeldAtAnyTime) {
 
 TEST_F(RecordedMission, WithOtherSettingsSaysWhatIsDecidedOtherwise) {
   const TemporaryFolder folder;
-  const std::string robot =
-      folder.write("robot.yaml", "perception:\n  stereo:\n    setting: paper\n");
+  const std::string robot = folder.write("robot.yaml", "perception:\n  stereo:\n    mode: paper\n");
   const Ended again = striate({"replay", file(), "--robot", robot});
   EXPECT_EQ(again.exit_code, 1);
-  EXPECT_THAT(again.out, HasSubstr("stereo.setting"));
+  EXPECT_THAT(again.out, HasSubstr("stereo.mode"));
   EXPECT_THAT(again.out, HasSubstr("differ in"));
 }
 

@@ -7,11 +7,11 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#include "app/renderer_pictures.hpp"
-#include "app/robot_settings.hpp"
-#include "app/serving/robot_server.hpp"
-#include "platform/pioneer/pioneer_robot.hpp"
-#include "platform/simulator/world_reader.hpp"
+#include "striate/agent/robot_settings.hpp"
+#include "striate/platform/pioneer/pioneer_robot.hpp"
+#include "striate/platform/served/robot_server.hpp"
+#include "striate/platform/simulator/render/renderer_images.hpp"
+#include "striate/platform/simulator/world_reader.hpp"
 #include "tests/scenarios/striate_process.hpp"
 
 /// Turret, laser and camera of the served Pioneer, through the drivers of a real one.
@@ -20,7 +20,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// Pictures in real time: a sanitizer's program is too slow for them.
+/// Images in real time: a sanitizer's program is too slow for them.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 constexpr bool kTooSlow = true;
 #else
@@ -34,34 +34,35 @@ simulator::World short_world() {
 /// A robot with all its devices at any free ports, in a thread of its own.
 class ServedRobot {
  public:
-  explicit ServedRobot(DeviceFaults faults = {}, const simulator::FaultSettings& simulated = {})
+  explicit ServedRobot(served::DeviceFaults faults = {},
+                       const simulator::FaultSettings& simulated = {})
       : world_(short_world()),
         robot_(world_, 3, with(simulated), {}),
-        pictures_(world_, robot_.plan(), RobotSettings{}.camera, 3),
+        pictures_(world_, robot_.plan(), agent::RobotSettings{}.camera, 3),
         server_(robot_, &pictures_, settings_for(faults), [](const std::string&) {}),
         thread_([this] { server_.run([this] { return !ends_; }); }) {}
   ~ServedRobot() {
     ends_ = true;
     thread_.join();
   }
-  [[nodiscard]] ServedState state() const { return server_.state(); }
+  [[nodiscard]] served::ServedState state() const { return server_.state(); }
   [[nodiscard]] pioneer::PioneerSettings settings() const {
-    const ServedUrls& urls = server_.urls();
+    const served::ServedUrls& urls = server_.urls();
     pioneer::PioneerSettings settings;
     settings.devices = {urls.base, urls.turret, urls.laser, urls.camera};
     return settings;
   }
   /// As a file for --robot.
   void write_robot_file(const std::string& file) const {
-    const ServedUrls& urls = server_.urls();
+    const served::ServedUrls& urls = server_.urls();
     std::ofstream(file) << "pioneer:\n  devices:\n    base: " << urls.base
                         << "\n    turret: " << urls.turret << "\n    laser: " << urls.laser
                         << "\n    camera: " << urls.camera << "\n";
   }
 
  private:
-  static ServeSettings settings_for(DeviceFaults faults) {
-    ServeSettings settings;
+  static served::ServeSettings settings_for(served::DeviceFaults faults) {
+    served::ServeSettings settings;
     settings.port = 0;
     settings.devices = faults;
     settings.camera_latency_s = simulator::SensorSettings{}.camera_latency_s;
@@ -73,9 +74,9 @@ class ServedRobot {
     return settings;
   }
   simulator::World world_;
-  ServedPioneer robot_;
-  RendererPictures pictures_;
-  RobotServer server_;
+  served::ServedPioneer robot_;
+  simulator::RendererImages pictures_;
+  served::RobotServer server_;
   std::atomic<bool> ends_{false};
   std::thread thread_;
 };
@@ -85,7 +86,7 @@ class ServedRobot {
 double drives_until_s(const ServedRobot& served, pioneer::PioneerRobot& robot) {
   Senses senses;
   bool drove = false;
-  ServedState state = served.state();
+  served::ServedState state = served.state();
   for (const double begin_s = state.time_s; state.time_s - begin_s < 12.0; state = served.state()) {
     drove = drove || state.true_forward_m_s > 0.15;
     if (drove && state.commanded_to_stand) break;
@@ -166,7 +167,7 @@ TEST(ServedDevices, TheCorridorMissionIsDrivenThroughTheDriversOfARealRobot) {
       striate({"run", "config/tasks/corridor.yaml", "--robot", folder / "robot.yaml", "--var",
                "way=11.3 m", "--result", folder / "r.json", "--memory", folder / "robot.db"});
   EXPECT_EQ(ended.exit_code, 0) << ended.err << ended.out;
-  const ServedState state = served.state();
+  const served::ServedState state = served.state();
   EXPECT_TRUE(state.beyond_goal);
   EXPECT_EQ(state.collisions, 0u);
   EXPECT_TRUE(state.commanded_to_stand);
@@ -187,7 +188,7 @@ TEST(ServedDevices, TheMissionStandsWhileTheCameraIsBlind) {
   std::atomic<bool> ended{false};
   watcher = std::thread([&] {
     while (!ended && stood_at_s == 0.0) {
-      const ServedState state = served.state();
+      const served::ServedState state = served.state();
       if (state.time_s > 9.0 && state.commanded_to_stand) stood_at_s = state.time_s;
       std::this_thread::sleep_for(5ms);
     }

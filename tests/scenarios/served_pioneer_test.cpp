@@ -6,8 +6,8 @@
 #include <set>
 #include <thread>
 
-#include "app/serving/robot_server.hpp"
-#include "platform/pioneer/pioneer_robot.hpp"
+#include "striate/platform/pioneer/pioneer_robot.hpp"
+#include "striate/platform/served/robot_server.hpp"
 #include "tests/scenarios/striate_process.hpp"
 
 /// The simulated Pioneer behind a real line, driven by our own driver and by the command.
@@ -28,7 +28,7 @@ simulator::World hall() {
 /// A server in a thread of its own at any free port.
 class Served {
  public:
-  explicit Served(ServeSettings settings = {})
+  explicit Served(served::ServeSettings settings = {})
       : robot_(hall(), 1, {}, {}),
         server_(robot_, nullptr, on_any_port(std::move(settings)), [](const std::string&) {}),
         thread_([this] { server_.run([this] { return !ends_; }); }) {}
@@ -37,32 +37,32 @@ class Served {
     thread_.join();
   }
   [[nodiscard]] const std::string& url() const { return server_.urls().base; }
-  [[nodiscard]] ServedState state() const { return server_.state(); }
+  [[nodiscard]] served::ServedState state() const { return server_.state(); }
 
   /// Seconds of the robot's time until it holds.
-  double until(const std::function<bool(const ServedState&)>& holds, double limit_s) const {
+  double until(const std::function<bool(const served::ServedState&)>& holds, double limit_s) const {
     const double begin_s = state().time_s;
     while (!holds(state()) && state().time_s - begin_s < limit_s) std::this_thread::sleep_for(2ms);
     return state().time_s - begin_s;
   }
 
  private:
-  static ServeSettings on_any_port(ServeSettings settings) {
+  static served::ServeSettings on_any_port(served::ServeSettings settings) {
     settings.port = 0;
     return settings;
   }
-  ServedPioneer robot_;
-  RobotServer server_;
+  served::ServedPioneer robot_;
+  served::RobotServer server_;
   std::atomic<bool> ends_{false};
   std::thread thread_;
 };
 
 /// Drives so far and stands; the way by odometry and in truth.
-struct Ways {
+struct Paths {
   double odometry_m = 0.0;
   double true_m = 0.0;
 };
-Ways drive(const Served& served, pioneer::PioneerRobot& robot, double way_m) {
+Paths drive(const Served& served, pioneer::PioneerRobot& robot, double way_m) {
   Senses senses;
   robot.sense(senses);
   const Pose2 from = senses.odometry.pose;
@@ -86,7 +86,7 @@ TEST(ServedPioneer, DrivesAMetreAndTheOdometryAgreesWithTheTruthAgainAndAgain) {
   const Served served;
   for (const double way_m : {1.0, 0.3}) {
     pioneer::PioneerRobot robot({}, served.url());
-    const Ways ways = drive(served, robot, way_m);
+    const Paths ways = drive(served, robot, way_m);
     EXPECT_GT(ways.true_m, way_m - 0.1);
     EXPECT_LT(ways.true_m, way_m + 0.25);
     EXPECT_NEAR(ways.odometry_m, ways.true_m, 0.03 * ways.true_m + 0.005);
@@ -94,24 +94,24 @@ TEST(ServedPioneer, DrivesAMetreAndTheOdometryAgreesWithTheTruthAgainAndAgain) {
     EXPECT_EQ(report.counters.stream.bad_checksum, 0u);
     EXPECT_TRUE(report.base.sonar[0].told && report.base.sonar[15].told);
   }
-  EXPECT_LT(served.until([](const ServedState& s) { return !s.connected; }, 1.0), 1.0)
+  EXPECT_LT(served.until([](const served::ServedState& s) { return !s.connected; }, 1.0), 1.0)
       << "it said good-bye";
 }
 
 TEST(ServedPioneer, IsDrivenOverAPseudoTerminal) {
   const Served served({.pty = true});
   pioneer::PioneerRobot robot({}, served.url());
-  const Ways ways = drive(served, robot, 0.3);
+  const Paths ways = drive(served, robot, 0.3);
   EXPECT_GT(ways.true_m, 0.2);
   EXPECT_NEAR(ways.odometry_m, ways.true_m, 0.03 * ways.true_m + 0.005);
 }
 
 TEST(ServedPioneer, IsDrivenOverABadLine) {
-  ServeSettings settings;
+  served::ServeSettings settings;
   settings.faults = {.loss = 0.03, .corruption = 0.0005, .delay_s = 0.03};
   const Served served(settings);
   pioneer::PioneerRobot robot({}, served.url());
-  const Ways ways = drive(served, robot, 0.6);
+  const Paths ways = drive(served, robot, 0.6);
   EXPECT_GT(ways.true_m, 0.5);
   EXPECT_NEAR(ways.odometry_m, ways.true_m, 0.05);
 }
@@ -156,7 +156,7 @@ TEST(ServedPioneer, AKilledClientIsStoppedByTheWatchdog) {
 }
 
 TEST(ServedPioneer, ALinkThatBreaksNeedsAReset) {
-  ServeSettings settings;
+  served::ServeSettings settings;
   settings.faults.break_at_s = 3.0;
   const Served served(settings);
   const pioneer::SteadyClock clock;
@@ -199,7 +199,7 @@ class BareRobot {
     while (auto packet = stream.next()) packets.push_back(std::move(*packet));
     return packets;
   }
-  ServedPioneer robot;
+  served::ServedPioneer robot;
   pioneer::arcos::PacketStream stream;
 };
 
@@ -246,24 +246,24 @@ TEST(ServedPioneer, SendsALaserInBandWhereItIsAskedFor) {
 
 TEST(FaultyWay, LosesSpoilsDelaysAndFallsSilentAsItIsAsked) {
   const Bytes chunk(100, 0x55);
-  FaultyWay lossy({.loss = 0.3}, 1);
+  served::FaultyWay lossy({.loss = 0.3}, 1);
   std::size_t came = 0;
   for (int i = 0; i < 1000; ++i) lossy.put(chunk, 0.0);
   came = lossy.take(0.0).size() / chunk.size();
   EXPECT_NEAR(static_cast<double>(came), 700.0, 50.0);
 
-  FaultyWay spoiled({.corruption = 0.1}, 1);
+  served::FaultyWay spoiled({.corruption = 0.1}, 1);
   for (int i = 0; i < 100; ++i) spoiled.put(chunk, 0.0);
   const Bytes bytes = spoiled.take(0.0);
   EXPECT_NEAR(static_cast<double>(bytes.size() - std::count(bytes.begin(), bytes.end(), 0x55)),
               1000.0, 120.0);
 
-  FaultyWay late({.delay_s = 0.2}, 1);
+  served::FaultyWay late({.delay_s = 0.2}, 1);
   late.put(chunk, 1.0);
   EXPECT_TRUE(late.take(1.19).empty());
   EXPECT_EQ(late.take(1.2), chunk);
 
-  FaultyWay silent({.silent_at_s = 2.0, .silent_for_s = 1.0}, 1);
+  served::FaultyWay silent({.silent_at_s = 2.0, .silent_for_s = 1.0}, 1);
   silent.put(chunk, 2.5);
   EXPECT_TRUE(silent.take(9.0).empty());
   silent.put(chunk, 3.1);

@@ -4,9 +4,9 @@
 #include <cstring>
 #include <nlohmann/json.hpp>
 
-#include "app/mission.hpp"
-#include "app/simulated_body.hpp"
-#include "tasks/task_reader.hpp"
+#include "striate/agent/mission.hpp"
+#include "striate/agent/simulated_body.hpp"
+#include "striate/tasks/task_reader.hpp"
 #include "tests/scenarios/striate_process.hpp"
 
 namespace striate::scenarios {
@@ -16,18 +16,19 @@ using testing::HasSubstr;
 
 const std::string kRoot = std::string(STRIATE_SOURCE_DIR "/");
 
-MissionOptions mission_of(const std::string& task) {
-  MissionOptions options;
+agent::MissionOptions mission_of(const std::string& task) {
+  agent::MissionOptions options;
   options.task = kRoot + "config/tasks/" + task;
   return options;
 }
 
-BodySource in_short_world() {
-  return simulated_pioneer({.world = kRoot + "config/worlds/short.yaml", .seed = 3});
+agent::BodySource in_short_world() {
+  return agent::simulated_pioneer({.world = kRoot + "config/worlds/short.yaml", .seed = 3});
 }
 
 /// What was wanted and sent in a cycle, bit for bit.
-std::string decision(const Wish& wish, const MotorCommand& sent, std::string_view action) {
+std::string decision(const behaviours::Wish& wish, const MotorCommand& sent,
+                     std::string_view action) {
   const double values[] = {wish.forward_m_s, wish.turn_rad_s, wish.pan_rad, wish.tilt_rad,
                            sent.forward_m_s, sent.turn_rad_s, sent.pan_rad, sent.tilt_rad};
   std::string bits(sizeof values, '\0');
@@ -39,20 +40,21 @@ TEST(Decisions, AreTheSameBitForBitInASecondRunAndWhenMadeAgainFromWhatWasSensed
   std::vector<std::string> first;
   std::vector<std::string> second;
   for (std::vector<std::string>* run : {&first, &second}) {
-    Mission mission(mission_of("corridor.yaml"), in_short_world());
+    agent::Mission mission(mission_of("corridor.yaml"), in_short_world());
     // The mind once more, beside the one that drives: it gets what was sensed and seen.
-    const RobotSettings settings = load_robot_settings("");
+    const agent::RobotSettings settings = agent::load_robot_settings("");
     const RobotDescription& robot = mission.body().description();
-    ShortTermMemory memory(settings.memory, robot);
-    Executive executive(load_task(mission_of("corridor.yaml").task, robot, {{"way", "12.5 m"}}));
-    Arbiter arbiter;
-    SafetyLimiter limiter(settings.safety, robot);
-    mission.run([&](const Mission& running) {
-      const CycleTrace& trace = running.cycle().trace();
+    memory::ShortTermMemory memory(settings.memory, robot);
+    tasks::Executive executive(
+        tasks::load_task(mission_of("corridor.yaml").task, robot, {{"way", "12.5 m"}}));
+    behaviours::Arbiter arbiter;
+    behaviours::SafetyLimiter limiter(settings.safety, robot);
+    mission.run([&](const agent::Mission& running) {
+      const agent::CycleTrace& trace = running.cycle().trace();
       run->push_back(decision(trace.wish, trace.sent, running.executive().current_action()));
       memory.update(trace.senses, trace.percept);
-      const TaskDecision task = executive.tick(memory, trace.senses.now);
-      const Claim chosen = arbiter.decide({task.claim}, trace.senses.now);
+      const tasks::TaskDecision task = executive.tick(memory, trace.senses.now);
+      const behaviours::Claim chosen = arbiter.decide({task.claim}, trace.senses.now);
       const MotorCommand sent = limiter.limit(chosen.wish, trace.senses, memory).command;
       memory.remember(sent, task.doing);
       const bool going = to_seconds(trace.senses.now) < 12.0;
@@ -67,15 +69,15 @@ TEST(Decisions, AreTheSameBitForBitInASecondRunAndWhenMadeAgainFromWhatWasSensed
 }
 
 TEST(RoundTrip, GoesAlmostToTheEndAndComesBackByVisionAlone) {
-  MissionOptions options = mission_of("round_trip.yaml");
+  agent::MissionOptions options = mission_of("round_trip.yaml");
   options.emergency_layer = false;
-  Mission mission(options, in_short_world());
+  agent::Mission mission(options, in_short_world());
   double farthest_m = 0.0;
-  const RunResult result = mission.run([&](const Mission& running) {
+  const agent::RunResult result = mission.run([&](const agent::Mission& running) {
     farthest_m = std::max(farthest_m, running.cycle().memory().progress_m());
     return to_seconds(running.cycle().trace().senses.now) > 240.0;
   });
-  EXPECT_EQ(result.outcome, RunOutcome::success) << result.reason;
+  EXPECT_EQ(result.outcome, agent::RunOutcome::success) << result.reason;
   EXPECT_TRUE(result.collisions.empty());
   EXPECT_FALSE(result.reached_goal);
   EXPECT_GT(farthest_m, 9.0);
@@ -99,14 +101,14 @@ lights: [{from: 0 m, to: 10 m, every: 2.5 m, level: 1.0}]
 start: {at: [1.0 m, 0 m], heading: 0 deg}
 goal: {beyond: 7.5 m}
 )");
-  MissionOptions options;
+  agent::MissionOptions options;
   options.task = folder.write("short.yaml", "striate: 1\ndo:\n  - use: " + kRoot +
                                                 "config/tasks/explore.yaml\n"
                                                 "    with: {longest: 90 s}\n");
   options.emergency_layer = false;
-  Mission mission(options, simulated_pioneer({.world = world, .seed = 3}));
-  const RunResult result = mission.run([](const Mission&) { return false; });
-  EXPECT_EQ(result.outcome, RunOutcome::success) << result.reason;
+  agent::Mission mission(options, agent::simulated_pioneer({.world = world, .seed = 3}));
+  const agent::RunResult result = mission.run([](const agent::Mission&) { return false; });
+  EXPECT_EQ(result.outcome, agent::RunOutcome::success) << result.reason;
   EXPECT_TRUE(result.reached_goal) << "round the bend";
   EXPECT_TRUE(result.collisions.empty());
   ASSERT_TRUE(result.from_start_m.has_value());
@@ -133,7 +135,7 @@ TEST(SmallMission, SaysItsTextAndSucceedsWithItsStepsOrFailsWithAReason) {
   EXPECT_THAT(failed.err, HasSubstr("says: bye\n"));
 }
 
-TEST(TaskCommand, ShowsTheTreeAsTextPictureAndXml) {
+TEST(TaskCommand, ShowsTheTreeAsTextImageAndXml) {
   const TemporaryFolder folder;
   const Ended text = striate({"task", "show", "config/tasks/round_trip.yaml"});
   EXPECT_EQ(text.exit_code, 0) << text.err;
@@ -155,7 +157,7 @@ TEST(TaskCommand, ListsTheActionsAlsoAsJson) {
   EXPECT_GE(nlohmann::json::parse(json.out).at("actions").size(), 10U);
 }
 
-TEST(TaskCommand, CheckTellsEveryMistakeOfATaskThatIsNotEvenYaml) {
+TEST(TaskCommand, CheckTellsEveryDiagnosticOfATaskThatIsNotEvenYaml) {
   const Ended ended = striate(
       {"check", "tests/broken_tasks/42_not_yaml.yaml", "tests/broken_tasks/48_many_at_once.yaml"});
   EXPECT_EQ(ended.exit_code, 2);

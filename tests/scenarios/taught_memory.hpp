@@ -9,21 +9,21 @@
 
 #include "tests/scenarios/striate_process.hpp"
 
-/// Memories taught from pictures that are made here, and looked into by the command.
+/// Memories taught from images that are made here, and looked into by the command.
 namespace striate::scenarios {
 
 /// A print of blots, another for each seed.
-inline std::string picture_of_a_thing(const TemporaryFolder& folder, int seed) {
-  cv::Mat3b picture(240, 320, cv::Vec3b(200, 200, 200));
+inline std::string image_of_a_thing(const TemporaryFolder& folder, int seed) {
+  cv::Mat3b image(240, 320, cv::Vec3b(200, 200, 200));
   cv::RNG random(static_cast<std::uint64_t>(seed) + 1);
   for (int k = 0; k < 120; ++k) {
     const cv::Point at(random.uniform(10, 310), random.uniform(10, 230));
     const cv::Scalar colour(random.uniform(0, 256), random.uniform(0, 256), random.uniform(0, 256));
-    cv::rectangle(picture, at, at + cv::Point(random.uniform(6, 40), random.uniform(6, 30)), colour,
+    cv::rectangle(image, at, at + cv::Point(random.uniform(6, 40), random.uniform(6, 30)), colour,
                   cv::FILLED);
   }
   const std::string file = folder / ("thing_" + std::to_string(seed) + ".png");
-  cv::imwrite(file, picture);
+  cv::imwrite(file, image);
   return file;
 }
 
@@ -39,8 +39,8 @@ inline nlohmann::json memory_json(const std::string& file, std::vector<std::stri
   return nlohmann::json::parse(ended.out);
 }
 
-inline void teach(const std::string& file, const std::string& name, const std::string& picture) {
-  const Ended ended = striate({"teach", name, "--image", picture, "--memory", file});
+inline void teach(const std::string& file, const std::string& name, const std::string& image) {
+  const Ended ended = striate({"teach", name, "--image", image, "--memory", file});
   EXPECT_EQ(ended.exit_code, 0) << ended.err;
 }
 

@@ -1,4 +1,4 @@
-#include "platform/pioneer/arcos/command.hpp"
+#include "striate/platform/pioneer/arcos/command.hpp"
 
 #include <algorithm>
 #include <cstdlib>

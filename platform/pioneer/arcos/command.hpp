@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "platform/pioneer/arcos/packet.hpp"
+#include "striate/platform/pioneer/arcos/packet.hpp"
 
 /// Commands from program to robot: nothing, an int, two bytes or a string behind the id.
 namespace striate::pioneer::arcos {

@@ -1,4 +1,4 @@
-#include "platform/pioneer/arcos/config_pac.hpp"
+#include "striate/platform/pioneer/arcos/config_pac.hpp"
 
 namespace striate::pioneer::arcos {
 namespace {

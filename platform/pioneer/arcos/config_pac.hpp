@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "platform/pioneer/arcos/packet.hpp"
+#include "striate/platform/pioneer/arcos/packet.hpp"
 
 namespace striate::pioneer::arcos {
 

@@ -1,4 +1,4 @@
-#include "platform/pioneer/arcos/other_packets.hpp"
+#include "striate/platform/pioneer/arcos/other_packets.hpp"
 
 #include <algorithm>
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "platform/pioneer/arcos/packet.hpp"
+#include "striate/platform/pioneer/arcos/packet.hpp"
 
 /// The smaller packets of a robot: its names at the end of the handshake, the joystick, and what
 /// only simulated robots send: the true pose and a laser inside the ARCOS stream.

@@ -1,4 +1,4 @@
-#include "platform/pioneer/arcos/packet.hpp"
+#include "striate/platform/pioneer/arcos/packet.hpp"
 
 #include <stdexcept>
 

@@ -2,8 +2,8 @@
 
 #include <cstdint>
 
-#include "base/bytes.hpp"
-#include "base/time.hpp"
+#include "striate/base/bytes.hpp"
+#include "striate/base/time.hpp"
 
 /// ARCOS, the Pioneer's serial protocol (also P2OS, AROS): FA FB | N | id | payload | checksum.
 /// N counts what follows it: 1 + payload + 2. Payload numbers are little-endian, the checksum is

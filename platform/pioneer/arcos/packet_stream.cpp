@@ -1,4 +1,4 @@
-#include "platform/pioneer/arcos/packet_stream.hpp"
+#include "striate/platform/pioneer/arcos/packet_stream.hpp"
 
 namespace striate::pioneer::arcos {
 namespace {

@@ -1,4 +1,4 @@
-#include "platform/pioneer/arcos/sip.hpp"
+#include "striate/platform/pioneer/arcos/sip.hpp"
 
 namespace striate::pioneer::arcos {
 namespace {

@@ -1,6 +1,6 @@
-#include "base/user_error.hpp"
-#include "platform/pioneer/camera/bumblebee_picture.hpp"
-#include "platform/pioneer/camera/frame_source.hpp"
+#include "striate/base/user_error.hpp"
+#include "striate/platform/pioneer/camera/bumblebee_image.hpp"
+#include "striate/platform/pioneer/camera/frame_source.hpp"
 
 #ifdef STRIATE_HAS_DC1394
 #include <dc1394/dc1394.h>
@@ -16,11 +16,11 @@ namespace striate::pioneer {
 #ifdef STRIATE_HAS_DC1394
 namespace {
 
-/// Ten pictures at 10 Hz: then the camera has stopped sending
+/// Ten images at 10 Hz: then the camera has stopped sending
 constexpr auto kPatience = std::chrono::seconds(1);
-/// Between looks for a picture: what a stamp may be late by
+/// Between looks for an image: what a stamp may be late by
 constexpr auto kLookAgain = std::chrono::milliseconds(2);
-/// Pictures in the ring: 0.2 s at 20 Hz, the camera's fastest at 1024 x 768
+/// Images in the ring: 0.2 s at 20 Hz, the camera's fastest at 1024 x 768
 constexpr unsigned kBuffers = 4;
 /// The only mode that sends both eyes, byte by byte (libdc1394, Bumblebee-2)
 constexpr dc1394video_mode_t kMode = DC1394_VIDEO_MODE_FORMAT7_3;
@@ -65,7 +65,7 @@ class BumblebeeSource final : public FrameSource {
   [[nodiscard]] bool grab(cv::Mat3b& left, cv::Mat3b& right) override {
     const auto end = std::chrono::steady_clock::now() + kPatience;
     dc1394video_frame_t* frame = nullptr;
-    // Asked again and again: waiting inside the library would never end without a picture.
+    // Asked again and again: waiting inside the library would never end without an image.
     while (frame == nullptr) {
       must(dc1394_capture_dequeue(camera_, DC1394_CAPTURE_POLICY_POLL, &frame), "picture");
       if (frame != nullptr) break;
@@ -99,7 +99,7 @@ class BumblebeeSource final : public FrameSource {
     must(dc1394_format7_get_max_image_size(camera_, kMode, &width, &height), "size");
     must(dc1394_format7_set_roi(camera_, kMode, DC1394_COLOR_CODING_RAW16, DC1394_USE_MAX_AVAIL, 0,
                                 0, static_cast<int>(width), static_cast<int>(height)),
-         "picture format");
+         "image format");
     must(dc1394_capture_setup(camera_, kBuffers, DC1394_CAPTURE_FLAGS_DEFAULT), "capture");
     must(dc1394_video_set_transmission(camera_, DC1394_ON), "start");
   }

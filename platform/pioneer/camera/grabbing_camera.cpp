@@ -1,4 +1,4 @@
-#include "platform/pioneer/camera/grabbing_camera.hpp"
+#include "striate/platform/pioneer/camera/grabbing_camera.hpp"
 
 #include <cmath>
 #include <exception>
@@ -27,7 +27,7 @@ GrabbingCamera::~GrabbingCamera() {
   thread_.join();
 }
 
-/// Pictures that were rectified elsewhere, made smaller.
+/// Images that were rectified elsewhere, made smaller.
 StereoFrame GrabbingCamera::as_it_is(const cv::Mat3b& left, const cv::Mat3b& right) const {
   StereoFrame frame;
   const double by = static_cast<double>(settings_.width_px) / left.cols;
@@ -61,7 +61,7 @@ void GrabbingCamera::grab_on() {
   source_->open();
   while (!ends_) {
     if (!source_->grab(left, right)) {
-      trouble_.put("no more pictures come");
+      trouble_.put("no more images come");
       break;
     }
     hand_on(left, right);

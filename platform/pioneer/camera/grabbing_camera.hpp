@@ -5,10 +5,11 @@
 #include <optional>
 #include <thread>
 
-#include "platform/pioneer/camera/frame_source.hpp"
-#include "platform/pioneer/camera/rectifier.hpp"
-#include "platform/pioneer/camera/stereo_camera.hpp"
-#include "platform/pioneer/mailbox.hpp"
+#include "striate/platform/pioneer/camera/frame_source.hpp"
+#include "striate/platform/pioneer/camera/rectifier.hpp"
+#include "striate/platform/pioneer/camera/stereo_camera.hpp"
+#include "striate/platform/pioneer/camera/stereo_camera_settings.hpp"
+#include "striate/platform/pioneer/mailbox.hpp"
 
 namespace striate::pioneer {
 

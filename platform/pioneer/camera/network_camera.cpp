@@ -1,4 +1,4 @@
-#include "platform/pioneer/camera/network_camera.hpp"
+#include "striate/platform/pioneer/camera/network_camera.hpp"
 
 namespace striate::pioneer {
 
@@ -7,9 +7,9 @@ NetworkCamera::NetworkCamera(std::unique_ptr<Transport> line, const Clock& clock
 
 void NetworkCamera::StreamDevice::receive(ByteView bytes, TimePoint now) {
   reader.push(bytes);
-  while (auto picture = reader.next()) {
-    picture->frame.stamp = now - picture->age;
-    newest.put(std::move(picture->frame));
+  while (auto image = reader.next()) {
+    image->frame.stamp = now - image->age;
+    newest.put(std::move(image->frame));
   }
 }
 

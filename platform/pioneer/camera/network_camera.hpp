@@ -1,12 +1,12 @@
 #pragma once
 
-#include "platform/pioneer/camera/picture_stream.hpp"
-#include "platform/pioneer/camera/stereo_camera.hpp"
-#include "platform/pioneer/device_thread.hpp"
+#include "striate/platform/pioneer/camera/image_stream.hpp"
+#include "striate/platform/pioneer/camera/stereo_camera.hpp"
+#include "striate/platform/pioneer/device_thread.hpp"
 
 namespace striate::pioneer {
 
-/// A camera that sends its pictures as a stream; see picture_stream.hpp.
+/// A camera that sends its images as a stream; see image_stream.hpp.
 class NetworkCamera final : public StereoCamera {
  public:
   /// `clock` must outlive this.
@@ -19,7 +19,7 @@ class NetworkCamera final : public StereoCamera {
     void line_up() override { reader.clear(); }
     void receive(ByteView bytes, TimePoint now) override;
     void tick(TimePoint /*now*/) override {}
-    picture_stream::Reader reader;
+    image_stream::Reader reader;
     Mailbox<StereoFrame> newest;
   };
   StreamDevice device_;

@@ -1,11 +1,11 @@
-#include "platform/pioneer/camera/rectifier.hpp"
+#include "striate/platform/pioneer/camera/rectifier.hpp"
 
 #include <fmt/format.h>
 
 #include <opencv2/calib3d.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "base/user_error.hpp"
+#include "striate/base/user_error.hpp"
 
 namespace striate::pioneer {
 
@@ -42,8 +42,8 @@ Rectifier::Rectifier(const StereoCalibration& calibration, int width_px)
 void Rectifier::rectify(const cv::Mat3b& raw, Eye& eye, cv::Mat3b& result) const {
   if (raw.size() != raw_px_) {
     throw UserError(
-        fmt::format("the camera's pictures are {} x {} px, its calibration is for {} x {}",
-                    raw.cols, raw.rows, raw_px_.width, raw_px_.height));
+        fmt::format("the camera's images are {} x {} px, its calibration is for {} x {}", raw.cols,
+                    raw.rows, raw_px_.width, raw_px_.height));
   }
   const bool smaller = size_px_ != raw_px_;
   if (smaller) cv::resize(raw, eye.small, size_px_, 0.0, 0.0, cv::INTER_AREA);

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "platform/interface/senses.hpp"
-#include "platform/pioneer/camera/stereo_calibration.hpp"
+#include "striate/platform/interface/senses.hpp"
+#include "striate/platform/pioneer/camera/stereo_calibration.hpp"
 
 namespace striate::pioneer {
 
@@ -9,12 +9,12 @@ namespace striate::pioneer {
 /// points on the same line. Keeps its tables and buffers.
 class Rectifier {
  public:
-  /// @param width_px of the pictures that come out; they keep their shape.
+  /// @param width_px of the images that come out; they keep their shape.
   /// @throws UserError when the right camera stands left of the left one.
   Rectifier(const StereoCalibration& calibration, int width_px);
 
-  /// The pictures and the camera's numbers of `frame`; the rest of it is left for the caller.
-  /// @throws UserError when the pictures have not the size that the calibration is for.
+  /// The images and the camera's numbers of `frame`; the rest of it is left for the caller.
+  /// @throws UserError when the images have not the size that the calibration is for.
   void rectify(const cv::Mat3b& left, const cv::Mat3b& right, StereoFrame& frame);
 
  private:

@@ -1,11 +1,11 @@
-#include "platform/pioneer/camera/stereo_calibration.hpp"
+#include "striate/platform/pioneer/camera/stereo_calibration.hpp"
 
 #include <cmath>
 #include <filesystem>
 #include <opencv2/core.hpp>
 #include <stdexcept>
 
-#include "base/user_error.hpp"
+#include "striate/base/user_error.hpp"
 
 namespace striate::pioneer {
 namespace {

@@ -14,17 +14,17 @@ struct CameraModel {
 
 /// What is known of a stereo camera. A point X of the left camera is R X + t in the right one.
 struct StereoCalibration {
-  cv::Size size_px;  ///< of the pictures that it was made from, and that it holds for
+  cv::Size size_px;  ///< of the images that it was made from, and that it holds for
   CameraModel left;
   CameraModel right;
   cv::Matx33d rotation = cv::Matx33d::eye();
   cv::Vec3d translation_m{};
-  int pairs = 0;                 ///< of pictures that went into it
+  int pairs = 0;                 ///< of images that went into it
   double reprojection_px = 0.0;  ///< root mean square, from where the corners should be
   double epipolar_px = 0.0;  ///< root mean square of the height between matching corners, rectified
 };
 
-/// The same cameras with pictures of another width; the shape stays.
+/// The same cameras with images of another width; the shape stays.
 [[nodiscard]] StereoCalibration scaled(const StereoCalibration& calibration, int width_px);
 
 /// YAML as OpenCV's FileStorage writes it.

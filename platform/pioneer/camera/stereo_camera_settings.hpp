@@ -2,13 +2,13 @@
 
 #include <string>
 
-#include "base/pioneer_devices.hpp"
-#include "config/settings.hpp"
-#include "platform/interface/robot.hpp"
+#include "striate/base/pioneer_devices.hpp"
+#include "striate/config/settings.hpp"
+#include "striate/platform/interface/robot.hpp"
 
 namespace striate::pioneer {
 
-/// Of cameras that are read here; a picture stream brings its own numbers and needs only the mount.
+/// Of cameras that are read here; an image stream brings its own numbers and needs only the mount.
 struct StereoCameraSettings {
   double height_m = RobotDescription{}.camera_height_m;
   double forward_m = RobotDescription{}.camera_forward_m;
@@ -16,9 +16,10 @@ struct StereoCameraSettings {
   std::string calibration;
   bool swap = false;
   int width_px = 320;  ///< twice the stereo's working width of 160
-  /// Half of the longest shutter (33 ms) and a picture's transfer at 20 Hz (ours)
+  /// Half of the longest shutter (33 ms) and an image's transfer at 20 Hz (ours)
   double latency_s = 0.05;
-  double field_rad = RobotDescription{}.view_rad;  ///< Bumblebee-2: 6 mm lens, 1024 pixels of 4.65 um
+  double field_rad =
+      RobotDescription{}.view_rad;   ///< Bumblebee-2: 6 mm lens, 1024 pixels of 4.65 um
   double baseline_m = kEyesApart_m;  ///< Bumblebee-2's; paper
 };
 
@@ -30,10 +31,10 @@ void visit(V& v, StereoCameraSettings& s) {
   v.number("resting_tilt", s.resting_tilt_rad, Unit::angle, {-0.6, 0.6},
            "of the head while nothing else is wanted, up positive");
   v.text("calibration", s.calibration,
-         "file of 'striate calibrate'; without it the pictures must be rectified already");
+         "file of 'striate calibrate'; without it the images must be rectified already");
   v.flag("swap", s.swap, "the camera gives right and left the other way round");
   v.integer("width", s.width_px, {32, 1280}, "pixels a line of what the vision gets");
-  v.number("latency", s.latency_s, Unit::duration, {0.0, 2.0}, "from light to picture");
+  v.number("latency", s.latency_s, Unit::duration, {0.0, 2.0}, "from light to image");
   v.number("field", s.field_rad, Unit::angle, {radians(10), radians(120)},
            "horizontal view, where there is no calibration");
   v.number("baseline", s.baseline_m, Unit::length, {0.01, 1.0},

@@ -5,8 +5,8 @@
 #include <thread>
 #include <vector>
 
-#include "base/user_error.hpp"
-#include "platform/pioneer/camera/frame_source.hpp"
+#include "striate/base/user_error.hpp"
+#include "striate/platform/pioneer/camera/frame_source.hpp"
 
 namespace striate::pioneer {
 namespace {
@@ -41,7 +41,7 @@ class VideoSource final : public FrameSource {
       std::this_thread::sleep_until(due_);
       due_ += period_;
     }
-    // Both shutters first, so that the two pictures are of nearly one moment.
+    // Both shutters first, so that the two images are of nearly one moment.
     for (cv::VideoCapture& capture : captures_) {
       if (!capture.grab()) return false;
     }

@@ -1,4 +1,4 @@
-#include "platform/pioneer/firmware/arcos_firmware.hpp"
+#include "striate/platform/pioneer/firmware/arcos_firmware.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,8 +12,9 @@ using arcos::SipFlag;
 namespace {
 
 constexpr std::uint16_t kNoEchoMm = 5000;  // what a real P3-DX tells where no echo returned
-constexpr double kTicksPerMm = 128.0;  // encoder ticks; TicksMM of a real P3-DX's CONFIGpac
-constexpr double kStandsMm_s = 5.0;  // slower than this, the SIP says that it stands (ours)
+constexpr double kTicksPerMm = 128.0;      // encoder ticks; TicksMM of a real P3-DX's CONFIGpac
+constexpr double kStandsMm_s = 5.0;        // slower than this, the SIP says that it stands (ours)
+/// Two turns of 16 discs: what waits longer has been fired again
 constexpr std::size_t kMostFreshReadings = 32;
 
 const RobotModel& model_of(const std::string& subclass) {
@@ -157,7 +158,7 @@ void ArcosFirmware::send_encoders() {
 
 /// Metres are millimetres here.
 Pose2 ArcosFirmware::pose_mm() const {
-  const Pose2 pose = to_inner(origin_, senses_.odometry.pose);
+  const Pose2 pose = inverse_transform(origin_, senses_.odometry.pose);
   return {1000.0 * pose.x_m, 1000.0 * pose.y_m, pose.heading_rad};
 }
 

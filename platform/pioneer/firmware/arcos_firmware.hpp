@@ -3,14 +3,14 @@
 #include <array>
 #include <optional>
 
-#include "platform/interface/senses.hpp"
-#include "platform/pioneer/arcos/command.hpp"
-#include "platform/pioneer/arcos/config_pac.hpp"
-#include "platform/pioneer/arcos/other_packets.hpp"
-#include "platform/pioneer/arcos/packet_stream.hpp"
-#include "platform/pioneer/arcos/sip.hpp"
-#include "platform/pioneer/firmware/wheel_control.hpp"
-#include "platform/pioneer/robot_model.hpp"
+#include "striate/platform/interface/senses.hpp"
+#include "striate/platform/pioneer/arcos/command.hpp"
+#include "striate/platform/pioneer/arcos/config_pac.hpp"
+#include "striate/platform/pioneer/arcos/other_packets.hpp"
+#include "striate/platform/pioneer/arcos/packet_stream.hpp"
+#include "striate/platform/pioneer/arcos/sip.hpp"
+#include "striate/platform/pioneer/firmware/wheel_control.hpp"
+#include "striate/platform/pioneer/robot_model.hpp"
 
 namespace striate::pioneer {
 

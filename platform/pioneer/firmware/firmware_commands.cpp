@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "platform/pioneer/firmware/arcos_firmware.hpp"
+#include "striate/platform/pioneer/firmware/arcos_firmware.hpp"
 
 /// What ArcosFirmware makes of a connected client's commands.
 namespace striate::pioneer {

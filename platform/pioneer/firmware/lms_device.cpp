@@ -1,4 +1,4 @@
-#include "platform/pioneer/firmware/lms_device.hpp"
+#include "striate/platform/pioneer/firmware/lms_device.hpp"
 
 namespace striate::pioneer {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "base/time.hpp"
-#include "platform/pioneer/laser/lms200.hpp"
+#include "striate/base/time.hpp"
+#include "striate/platform/pioneer/laser/lms200.hpp"
 
 namespace striate::pioneer {
 

@@ -1,10 +1,10 @@
-#include "platform/pioneer/firmware/servo_bus.hpp"
+#include "striate/platform/pioneer/firmware/servo_bus.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "base/pioneer_devices.hpp"
+#include "striate/base/pioneer_devices.hpp"
 
 namespace striate::pioneer {
 
@@ -16,8 +16,9 @@ namespace {
 
 /// AX-12A data sheet: 59 rpm without load
 constexpr double kFastestRad_s = 59.0 * 2.0 * std::numbers::pi / 60.0;
+/// Blocked for so long it gives up, as an AX-12A does after some seconds (ours)
 constexpr double kOverloadAfter_s = 2.0;
-constexpr double kThereRad = 0.003;  // half a step of the position, 0.293 deg
+constexpr double kThere_rad = 0.003;  // half a step of the position, 0.293 deg
 
 }  // namespace
 
@@ -68,7 +69,7 @@ void ServoModel::step(double dt_s) {
   const std::uint16_t ticks = word(Register::moving_speed);
   const double speed =
       ticks == 0 ? kFastestRad_s : std::min(ticks * kServoSpeedStep_rad_s, kFastestRad_s);
-  const bool wants = powered && std::abs(left_rad) > kThereRad;
+  const bool wants = powered && std::abs(left_rad) > kThere_rad;
   const double way = wants && !blocked ? std::clamp(left_rad, -speed * dt_s, speed * dt_s) : 0.0;
   angle_rad_ += way;
   speed_rad_s_ = way / dt_s;

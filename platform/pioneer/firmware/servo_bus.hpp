@@ -3,8 +3,8 @@
 #include <array>
 #include <vector>
 
-#include "base/time.hpp"
-#include "platform/pioneer/turret/dynamixel.hpp"
+#include "striate/base/time.hpp"
+#include "striate/platform/pioneer/turret/dynamixel.hpp"
 
 namespace striate::pioneer {
 

@@ -1,4 +1,4 @@
-#include "platform/pioneer/firmware/urg_device.hpp"
+#include "striate/platform/pioneer/firmware/urg_device.hpp"
 
 #include <algorithm>
 

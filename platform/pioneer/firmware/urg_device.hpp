@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "base/time.hpp"
-#include "platform/pioneer/laser/scip.hpp"
+#include "striate/base/time.hpp"
+#include "striate/platform/pioneer/laser/scip.hpp"
 
 namespace striate::pioneer {
 

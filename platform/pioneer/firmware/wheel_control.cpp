@@ -1,9 +1,9 @@
-#include "platform/pioneer/firmware/wheel_control.hpp"
+#include "striate/platform/pioneer/firmware/wheel_control.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "base/stopping_speed.hpp"
+#include "striate/base/stopping_speed.hpp"
 
 namespace striate::pioneer {
 namespace {
@@ -12,8 +12,8 @@ namespace {
 constexpr double kEmergencyMm_s2 = 2000.0;
 /// Twice RotAccTop of a real P3-DX, 300: turning ends with the driving (ours)
 constexpr double kEmergencyDeg_s2 = 600.0;
-constexpr double kThereMm = 1.0;   // a MOVE is done: the resolution of a SIP's position
-constexpr double kThereDeg = 0.3;  // a HEAD is done: three steps of a SIP's heading (0.088 deg)
+constexpr double kThereMm = 1.0;    // a MOVE is done: the resolution of a SIP's position
+constexpr double kThere_deg = 0.3;  // a HEAD is done: three steps of a SIP's heading (0.088 deg)
 
 double ramp(double now, double wanted, double up, double down) {
   // Speeding up is away from standing; changing sign passes through standing first.
@@ -95,7 +95,7 @@ double WheelControl::wanted_forward(double dt_s) {
 double WheelControl::wanted_turn(double heading_deg) {
   if (!heading_deg_) return std::clamp(set_turn_deg_s_, -limits_.turn_deg_s, limits_.turn_deg_s);
   const double left_deg = std::remainder(*heading_deg_ - heading_deg, 360.0);
-  if (std::abs(left_deg) < kThereDeg) return 0.0;  // the heading is held from then on
+  if (std::abs(left_deg) < kThere_deg) return 0.0;  // the heading is held from then on
   return towards(left_deg, limits_.turn_deg_s, limits_.turn_deceleration_deg_s2);
 }
 

@@ -2,9 +2,9 @@
 
 #include <utility>
 
-#include "base/bytes.hpp"
-#include "platform/interface/senses.hpp"
-#include "platform/pioneer/laser/laser_settings.hpp"
+#include "striate/base/bytes.hpp"
+#include "striate/platform/interface/senses.hpp"
+#include "striate/platform/pioneer/laser/laser_settings.hpp"
 
 namespace striate::pioneer {
 

@@ -2,8 +2,8 @@
 
 #include <cstdint>
 
-#include "platform/interface/senses.hpp"
-#include "platform/pioneer/laser/laser_conversation.hpp"
+#include "striate/platform/interface/senses.hpp"
+#include "striate/platform/pioneer/laser/laser_conversation.hpp"
 
 namespace striate::pioneer {
 

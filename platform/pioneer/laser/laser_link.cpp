@@ -1,7 +1,7 @@
-#include "platform/pioneer/laser/laser_link.hpp"
+#include "striate/platform/pioneer/laser/laser_link.hpp"
 
-#include "platform/pioneer/laser/lms_driver.hpp"
-#include "platform/pioneer/laser/urg_driver.hpp"
+#include "striate/platform/pioneer/laser/lms_driver.hpp"
+#include "striate/platform/pioneer/laser/urg_driver.hpp"
 
 namespace striate::pioneer {
 

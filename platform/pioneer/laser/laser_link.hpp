@@ -4,9 +4,9 @@
 #include <memory>
 #include <string>
 
-#include "platform/interface/senses.hpp"
-#include "platform/pioneer/device_thread.hpp"
-#include "platform/pioneer/laser/laser_settings.hpp"
+#include "striate/platform/interface/senses.hpp"
+#include "striate/platform/pioneer/device_thread.hpp"
+#include "striate/platform/pioneer/laser/laser_settings.hpp"
 
 namespace striate::pioneer {
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "base/pioneer_devices.hpp"
-#include "config/settings.hpp"
+#include "striate/base/pioneer_devices.hpp"
+#include "striate/config/settings.hpp"
 
 namespace striate::pioneer {
 
@@ -11,9 +11,9 @@ enum class LaserKind { hokuyo, lms200 };
 struct LaserSettings {
   LaserKind kind = LaserKind::hokuyo;
   double forward_m = kLaserForward_m;  ///< mount of an LMS-200 on a P3-DX (ARIA's p3dx-sh.p)
-  double reply_patience_s = 0.5;  ///< five scans: a reply waits behind one that is being sent
-  double stale_after_s = 0.5;  ///< five scans missed at 10 Hz; as the safety gate's
-  double begin_again_after_s = 1.0;  ///< ten scans missed at 10 Hz
+  double reply_patience_s = 0.5;       ///< five scans: a reply waits behind one that is being sent
+  double stale_after_s = 0.5;          ///< five scans missed at 10 Hz; as the safety gate's
+  double begin_again_after_s = 1.0;    ///< ten scans missed at 10 Hz
 };
 
 template <class V>

@@ -1,4 +1,4 @@
-#include "platform/pioneer/laser/lms200.hpp"
+#include "striate/platform/pioneer/laser/lms200.hpp"
 
 #include <algorithm>
 #include <cmath>

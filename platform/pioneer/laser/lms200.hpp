@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "base/bytes.hpp"
+#include "striate/base/bytes.hpp"
 
 /// The SICK LMS-200's telegrams: 02 | address | length | data | CRC, little-endian; before a reply
 /// one byte says 06 (taken) or 15 (not taken).

@@ -1,6 +1,6 @@
-#include "platform/pioneer/laser/lms_driver.hpp"
+#include "striate/platform/pioneer/laser/lms_driver.hpp"
 
-#include "platform/interface/seen_from_axle.hpp"
+#include "striate/platform/interface/seen_from_axle.hpp"
 
 namespace striate::pioneer {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "platform/pioneer/laser/laser_driver.hpp"
-#include "platform/pioneer/laser/lms200.hpp"
+#include "striate/platform/pioneer/laser/laser_driver.hpp"
+#include "striate/platform/pioneer/laser/lms200.hpp"
 
 namespace striate::pioneer {
 

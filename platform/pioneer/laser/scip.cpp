@@ -1,4 +1,4 @@
-#include "platform/pioneer/laser/scip.hpp"
+#include "striate/platform/pioneer/laser/scip.hpp"
 
 #include <algorithm>
 #include <array>

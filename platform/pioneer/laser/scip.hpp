@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "base/bytes.hpp"
+#include "striate/base/bytes.hpp"
 
 /// SCIP 2.0, the protocol of Hokuyo's range finders: lines of text. A command is a line; a reply is
 /// its echo, a status with a sum, lines with sums, and an empty line.

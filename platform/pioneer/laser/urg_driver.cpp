@@ -1,8 +1,8 @@
-#include "platform/pioneer/laser/urg_driver.hpp"
+#include "striate/platform/pioneer/laser/urg_driver.hpp"
 
 #include <algorithm>
 
-#include "platform/interface/seen_from_axle.hpp"
+#include "striate/platform/interface/seen_from_axle.hpp"
 
 namespace striate::pioneer {
 

@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "platform/pioneer/laser/laser_driver.hpp"
-#include "platform/pioneer/laser/scip.hpp"
+#include "striate/platform/pioneer/laser/laser_driver.hpp"
+#include "striate/platform/pioneer/laser/scip.hpp"
 
 namespace striate::pioneer {
 

@@ -1,4 +1,4 @@
-#include "platform/pioneer/turret/arbotix.hpp"
+#include "striate/platform/pioneer/turret/arbotix.hpp"
 
 #include <utility>
 

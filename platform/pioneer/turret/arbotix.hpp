@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "base/bytes.hpp"
+#include "striate/base/bytes.hpp"
 
 /// The ArbotiX board's command protocol: eight bytes FF | pan | tilt | buttons | ext | sum, words
 /// high byte first. The turret's usual firmware; it tells no positions.

@@ -1,10 +1,10 @@
-#include "platform/pioneer/turret/dynamixel.hpp"
+#include "striate/platform/pioneer/turret/dynamixel.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
-#include "base/pioneer_devices.hpp"
+#include "striate/base/pioneer_devices.hpp"
 
 namespace striate::pioneer::dynamixel {
 namespace {
@@ -12,7 +12,7 @@ namespace {
 constexpr std::uint8_t kStart = 0xff;  // first two bytes of a packet; Dynamixel protocol 1.0
 /// Length, parameters + 2, is a byte, and 255 and 254 are ids; Dynamixel protocol 1.0
 constexpr std::size_t kMostParameters = 250;
-constexpr double kMiddle = 512.0;  // AX-12A control table: tick that looks straight ahead
+constexpr double kMiddle = 512.0;      // AX-12A control table: tick that looks straight ahead
 constexpr double kMostTicks = 1023.0;  // AX-12A control table: ten bits of position or speed
 
 std::uint8_t sum_of(ByteView body) {

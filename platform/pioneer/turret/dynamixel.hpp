@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "base/bytes.hpp"
+#include "striate/base/bytes.hpp"
 
 /// Dynamixel protocol 1.0, as AX-12A servos speak it: FF FF | id | length | instruction or error |
 /// parameters | sum. A byte is either way the complement of the sum from id to the last parameter.

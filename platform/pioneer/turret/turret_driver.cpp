@@ -1,4 +1,4 @@
-#include "platform/pioneer/turret/turret_driver.hpp"
+#include "striate/platform/pioneer/turret/turret_driver.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,9 +13,9 @@ namespace {
 /// Position, speed, load, voltage and temperature stand side by side.
 constexpr std::uint8_t kStateSize = 8;
 /// 2 deg, seven steps of the encoder: a servo under load stops short of its goal (ours)
-constexpr double kThereRad = 0.035;
+constexpr double kThere_rad = 0.035;
 /// Three steps of the encoder (0.293 deg): less is its jitter
-constexpr double kProgressRad = 0.015;
+constexpr double kProgress_rad = 0.015;
 constexpr std::uint16_t kFullTorque = 1023;  ///< AX-12A control table, torque limit: ten bits
 /// AX-12A control table, present load: bit 10 is the direction
 constexpr std::uint16_t kClockwiseLoad = 1U << 10;
@@ -96,7 +96,7 @@ void TurretDriver::begin_to_watch(Servo& servo, TimePoint now) {
 void TurretDriver::watch_progress(Servo& servo, TimePoint now) {
   const double left = servo.goal_rad ? *servo.goal_rad - servo.health.angle_rad : 0.0;
   const double towards = (servo.health.angle_rad - servo.from_rad) * (left < 0.0 ? -1.0 : 1.0);
-  if (std::abs(left) < kThereRad || towards >= kProgressRad) {
+  if (std::abs(left) < kThere_rad || towards >= kProgress_rad) {
     begin_to_watch(servo, now);
     servo.health.stuck = false;
   } else if (now - servo.moved_at > from_seconds(settings_.stuck_after_s)) {

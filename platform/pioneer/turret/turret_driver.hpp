@@ -3,9 +3,9 @@
 #include <array>
 #include <optional>
 
-#include "config/settings.hpp"
-#include "platform/interface/robot.hpp"
-#include "platform/pioneer/turret/dynamixel.hpp"
+#include "striate/config/settings.hpp"
+#include "striate/platform/interface/robot.hpp"
+#include "striate/platform/pioneer/turret/dynamixel.hpp"
 
 namespace striate::pioneer {
 
@@ -14,11 +14,13 @@ struct TurretSettings {
   int tilt_id = 2;  ///< as a PhantomX turret is delivered
   /// A sixth of an AX-12A's 6.2 rad/s: a Bumblebee-2 is heavy for it
   double most_speed_rad_s = 1.0;
-  double most_pan_rad = RobotDescription{}.max_pan_rad;  ///< 86 deg, of the servo's 150: cables (ours)
-  double most_tilt_rad = RobotDescription{}.max_tilt_rad;  ///< 34 deg: the turret's frame is in the way beyond (ours)
-  double patience_s = 0.03;  ///< two latencies of a USB adapter (16 ms for FTDI's)
-  int silent_after = 5;  ///< 0.15 s of patience
-  double stuck_after_s = 1.0;  ///< 60 deg of turning at most_speed (ours)
+  double most_pan_rad =
+      RobotDescription{}.max_pan_rad;  ///< 86 deg, of the servo's 150: cables (ours)
+  double most_tilt_rad =
+      RobotDescription{}.max_tilt_rad;  ///< 34 deg: the turret's frame is in the way beyond (ours)
+  double patience_s = 0.03;             ///< two latencies of a USB adapter (16 ms for FTDI's)
+  int silent_after = 5;                 ///< 0.15 s of patience
+  double stuck_after_s = 1.0;           ///< 60 deg of turning at most_speed (ours)
 };
 
 template <class V>

@@ -1,4 +1,4 @@
-#include "platform/pioneer/turret/turret_link.hpp"
+#include "striate/platform/pioneer/turret/turret_link.hpp"
 
 namespace striate::pioneer {
 
@@ -16,7 +16,7 @@ void TurretLink::HeadDevice::tick(TimePoint now) {
   known.pan = driver.pan();
   known.tilt = driver.tilt();
   known.pose = driver.pose();
-  if (known.known()) known.trail.add(std::min(known.pan.stamp, known.tilt.stamp), known.pose);
+  if (known.known()) known.trajectory.add(std::min(known.pan.stamp, known.tilt.stamp), known.pose);
   report.put(known);
   if (watcher) watcher(driver.ok());
 }

@@ -4,15 +4,15 @@
 #include <optional>
 #include <string>
 
-#include "platform/pioneer/device_thread.hpp"
-#include "platform/pioneer/turret/head_trail.hpp"
-#include "platform/pioneer/turret/turret_driver.hpp"
+#include "striate/platform/pioneer/device_thread.hpp"
+#include "striate/platform/pioneer/turret/head_history.hpp"
+#include "striate/platform/pioneer/turret/turret_driver.hpp"
 
 namespace striate::pioneer {
 
 /// What is known of the head from outside its thread.
 struct HeadReport {
-  HeadTrail trail;
+  HeadHistory trajectory;
   HeadPose pose;  ///< newest
   ServoHealth pan;
   ServoHealth tilt;

@@ -1,7 +1,7 @@
-#include "platform/simulator/render/baked_light.hpp"
+#include "striate/platform/simulator/render/baked_light.hpp"
 
-#include "platform/simulator/render/shadow_rays.hpp"
-#include "platform/simulator/render/sun_spots.hpp"
+#include "striate/platform/simulator/render/shadow_rays.hpp"
+#include "striate/platform/simulator/render/sun_spots.hpp"
 
 namespace striate::simulator::render {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "platform/simulator/render/stage.hpp"
-#include "platform/simulator/render/tracer.hpp"
+#include "striate/platform/simulator/render/stage.hpp"
+#include "striate/platform/simulator/render/tracer.hpp"
 
 namespace striate::simulator::render {
 

@@ -4,11 +4,11 @@
 #include <opencv2/core/mat.hpp>
 #include <vector>
 
-#include "platform/simulator/render/camera_settings.hpp"
-#include "platform/simulator/render/demosaic.hpp"
-#include "platform/simulator/render/noise.hpp"
-#include "platform/simulator/render/vec.hpp"
-#include "platform/simulator/render/view.hpp"
+#include "striate/platform/simulator/render/camera_settings.hpp"
+#include "striate/platform/simulator/render/demosaic.hpp"
+#include "striate/platform/simulator/render/noise.hpp"
+#include "striate/platform/simulator/render/vec.hpp"
+#include "striate/platform/simulator/render/view.hpp"
 
 namespace striate::simulator::render {
 
@@ -18,11 +18,11 @@ struct Exposure {
 };
 
 /// Exposure control as cameras have it: seeks a mean level, first by the shutter, then by the
-/// gain, part of the way each picture.
+/// gain, part of the way each image.
 class ExposureControl {
  public:
   explicit ExposureControl(const CameraSettings& settings) : settings_(settings) {}
-  /// The exposure of the next picture. The first one is exposed rightly at once, as a camera that
+  /// The exposure of the next image. The first one is exposed rightly at once, as a camera that
   /// has been running for a while.
   [[nodiscard]] Exposure choose(const std::vector<V4>& light);
   /// Grey level (of full scale) per unit of light and second of shutter at gain 1.
@@ -31,16 +31,16 @@ class ExposureControl {
  private:
   [[nodiscard]] double mean_level(const std::vector<V4>& light, double product) const;
   const CameraSettings& settings_;
-  double product_s_ = 0.0;  ///< shutter times gain; 0 before the first picture
+  double product_s_ = 0.0;  ///< shutter times gain; 0 before the first image
 };
 
-/// How far the picture moves during the exposure, by turning, in pixels.
+/// How far the image moves during the exposure, by turning, in pixels.
 struct Smear {
   float u_px = 0.0F;
   float v_px = 0.0F;
 };
 
-/// One sensor: light in, 8-bit picture out. Vignetting, smear, unevenness of the pixels, shot and
+/// One sensor: light in, 8-bit image out. Vignetting, smear, unevenness of the pixels, shot and
 /// read noise, Bayer mosaic and its interpolation (Malvar, He and Cutler 2004), tone curve.
 class Sensor {
  public:

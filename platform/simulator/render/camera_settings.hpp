@@ -1,18 +1,18 @@
 #pragma once
 
-#include "base/geometry.hpp"
-#include "base/pioneer_devices.hpp"
-#include "config/settings.hpp"
-#include "platform/interface/robot.hpp"
+#include "striate/base/geometry.hpp"
+#include "striate/base/pioneer_devices.hpp"
+#include "striate/config/settings.hpp"
+#include "striate/platform/interface/robot.hpp"
 
 namespace striate::simulator {
 
 /// The stereo head: optics, sensor and exposure control. Defaults: a small machine-vision pair
 /// behind 43 degree lenses, rectified.
 struct CameraSettings {
-  int width_px = 320;  ///< the picture is 4:3; twice the stereo's working width
+  int width_px = 320;  ///< the image is 4:3; twice the stereo's working width
   double field_rad = RobotDescription{}.view_rad;  ///< horizontal view of the paper's Bumblebee-2
-  double baseline_m = kEyesApart_m;  ///< of the paper's Bumblebee-2
+  double baseline_m = kEyesApart_m;                ///< of the paper's Bumblebee-2
   double height_above_floor_m = RobotDescription{}.camera_height_m;
   double forward_of_axle_m = RobotDescription{}.camera_forward_m;
   double resting_tilt_rad = RobotDescription{}.resting_tilt_rad;
@@ -25,8 +25,8 @@ struct CameraSettings {
   double read_noise_e = 9.0;       ///< electrons; as real stereo heads have
   double non_uniformity = 0.008;   ///< of the pixels' sensitivity
   double vignetting = 0.28;        ///< loss at the corner
-  double target_level = 0.17;      ///< mean of the picture, of full scale, that exposure seeks
-  double adaptation = 0.5;         ///< share of the way to the right exposure, each picture
+  double target_level = 0.17;      ///< mean of the image, of full scale, that exposure seeks
+  double adaptation = 0.5;         ///< share of the way to the right exposure, each image
   double flicker = 0.01;           ///< of the lamps, root mean square
   bool smooth_edges = true;        ///< three samples a pixel along edges
   bool noise = true;               ///< shot and read noise, unevenness of the pixels
@@ -61,7 +61,7 @@ void visit(V& v, CameraSettings& s) {
   v.number("target_level", s.target_level, Unit::fraction, {0.01, 0.9},
            "mean brightness that exposure seeks");
   v.number("adaptation", s.adaptation, Unit::fraction, {0.01, 1},
-           "how fast exposure follows, a picture");
+           "how fast exposure follows, an image");
   v.number("flicker", s.flicker, Unit::fraction, {0, 0.5}, "of the lamps");
   v.flag("smooth_edges", s.smooth_edges, "three samples a pixel along edges");
   v.flag("noise", s.noise, "shot noise, read noise, uneven pixels");

@@ -1,9 +1,9 @@
-#include "platform/simulator/render/demosaic.hpp"
+#include "striate/platform/simulator/render/demosaic.hpp"
 
 #include <cmath>
 #include <cstring>
 
-#include "platform/simulator/render/vec.hpp"
+#include "striate/platform/simulator/render/vec.hpp"
 
 namespace striate::simulator::render {
 namespace {
@@ -83,15 +83,15 @@ void Demosaic::interpolate(const float* cell) {
   }
 }
 
-cv::Mat3b Demosaic::picture(const std::vector<float>& raw) {
-  cv::Mat3b picture(height_, width_);
+cv::Mat3b Demosaic::image(const std::vector<float>& raw) {
+  cv::Mat3b image(height_, width_);
   const int stride = width_ + 2 * kMargin;
   const auto tone = [&](const std::vector<int>& line, int x) {
     return tone_[static_cast<std::size_t>(line[static_cast<std::size_t>(x)])];
   };
   for (int y = 0; y < height_; ++y) {
     interpolate(raw.data() + (y + kMargin) * stride + kMargin);
-    std::uint8_t* out = picture.ptr(y);
+    std::uint8_t* out = image.ptr(y);
     const int known = y % 2 == 0 ? 2 : 0;  // red or blue stands in this row, beside green
     for (int x = 0; x < width_; ++x, out += 3) {
       if ((x + y) % 2 != 0) {
@@ -105,7 +105,7 @@ cv::Mat3b Demosaic::picture(const std::vector<float>& raw) {
       }
     }
   }
-  return picture;
+  return image;
 }
 
 }  // namespace striate::simulator::render

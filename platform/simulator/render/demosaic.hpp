@@ -12,14 +12,14 @@ namespace striate::simulator::render {
 /// cameras do: else every lamp has a fringe.
 class Demosaic {
  public:
-  static constexpr int kMargin = 2;  ///< cells readable round the picture
+  static constexpr int kMargin = 2;  ///< cells readable round the image
   static constexpr int kSlack = 4;   ///< cells readable behind the last one
 
   Demosaic(int width, int height);
 
   /// @param raw levels 0..1 of full scale, rows of width + 2 kMargin cells, kMargin rows above and
   /// below; red and green on even rows, green and blue on odd ones.
-  [[nodiscard]] cv::Mat3b picture(const std::vector<float>& raw);
+  [[nodiscard]] cv::Mat3b image(const std::vector<float>& raw);
 
  private:
   /// Interpolations at every cell of a row, whether or not its colour wants them, as places in the

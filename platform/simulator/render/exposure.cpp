@@ -1,4 +1,4 @@
-#include "platform/simulator/render/camera_model.hpp"
+#include "striate/platform/simulator/render/camera_model.hpp"
 
 namespace striate::simulator::render {
 namespace {

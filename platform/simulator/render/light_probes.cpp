@@ -1,4 +1,4 @@
-#include "platform/simulator/render/light_probes.hpp"
+#include "striate/platform/simulator/render/light_probes.hpp"
 
 namespace striate::simulator::render {
 namespace {

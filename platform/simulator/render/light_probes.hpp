@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-#include "platform/simulator/render/baked_light.hpp"
+#include "striate/platform/simulator/render/baked_light.hpp"
 
 namespace striate::simulator::render {
 

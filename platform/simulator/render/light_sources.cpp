@@ -1,6 +1,6 @@
 #include <numbers>
 
-#include "platform/simulator/render/baked_light.hpp"
+#include "striate/platform/simulator/render/baked_light.hpp"
 
 namespace striate::simulator::render {
 

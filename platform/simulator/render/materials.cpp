@@ -1,11 +1,11 @@
-#include "platform/simulator/render/materials.hpp"
+#include "striate/platform/simulator/render/materials.hpp"
 
 #include <filesystem>
 #include <opencv2/imgcodecs.hpp>
 
-#include "base/user_error.hpp"
-#include "config/quantity.hpp"
-#include "platform/simulator/render/paint.hpp"
+#include "striate/base/user_error.hpp"
+#include "striate/config/quantity.hpp"
+#include "striate/platform/simulator/render/paint.hpp"
 
 namespace striate::simulator::render {
 

@@ -5,7 +5,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "platform/simulator/render/texture.hpp"
+#include "striate/platform/simulator/render/texture.hpp"
 
 namespace striate::simulator::render {
 

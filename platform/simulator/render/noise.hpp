@@ -5,7 +5,7 @@
 #include <cstdint>
 
 /// Counter-based randomness: a value depends on its counters alone, not on what was drawn before,
-/// so that frame n of seed s is the same everywhere and pictures may be made in any order.
+/// so that frame n of seed s is the same everywhere and images may be made in any order.
 namespace striate::simulator::render {
 
 /// A good 32-bit mixer (Wellons' "lowbias32").

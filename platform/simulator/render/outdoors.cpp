@@ -1,8 +1,8 @@
-#include "platform/simulator/render/outdoors.hpp"
+#include "striate/platform/simulator/render/outdoors.hpp"
 
 #include <numbers>
 
-#include "platform/simulator/render/noise.hpp"
+#include "striate/platform/simulator/render/noise.hpp"
 
 namespace striate::simulator::render {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "platform/simulator/render/vec.hpp"
+#include "striate/platform/simulator/render/vec.hpp"
 
 namespace striate::simulator::render {
 

@@ -1,9 +1,9 @@
 #define HWY_WANT_AVX3_DL 1
 
-#include "platform/simulator/render/packet_kernels.hpp"
+#include "striate/platform/simulator/render/packet_kernels.hpp"
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "platform/simulator/render/packet_kernels.cpp"
+#define HWY_TARGET_INCLUDE "striate/platform/simulator/render/packet_kernels.cpp"
 #include <hwy/foreach_target.h>
 // After foreach_target.h, which defines the target.
 #include <hwy/highway.h>

@@ -3,9 +3,9 @@
 #include <array>
 #include <cstdint>
 
-#include "platform/simulator/render/texture.hpp"
-#include "platform/simulator/render/vec.hpp"
-#include "platform/simulator/render/view.hpp"
+#include "striate/platform/simulator/render/texture.hpp"
+#include "striate/platform/simulator/render/vec.hpp"
+#include "striate/platform/simulator/render/view.hpp"
 
 /// What is done to sixteen rays at once, on the best instruction set of the machine; the results
 /// are bit for bit those of the plain code named beside each.

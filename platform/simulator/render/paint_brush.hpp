@@ -3,7 +3,7 @@
 #include <opencv2/imgproc.hpp>
 #include <string>
 
-#include "platform/simulator/render/noise.hpp"
+#include "striate/platform/simulator/render/noise.hpp"
 
 namespace striate::simulator::render {
 

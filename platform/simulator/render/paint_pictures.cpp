@@ -1,5 +1,5 @@
-#include "platform/simulator/render/paint.hpp"
-#include "platform/simulator/render/paint_brush.hpp"
+#include "striate/platform/simulator/render/paint.hpp"
+#include "striate/platform/simulator/render/paint_brush.hpp"
 
 namespace striate::simulator::render {
 namespace {

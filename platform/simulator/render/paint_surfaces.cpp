@@ -1,7 +1,7 @@
 #include <opencv2/core.hpp>
 
-#include "platform/simulator/render/noise.hpp"
-#include "platform/simulator/render/paint.hpp"
+#include "striate/platform/simulator/render/noise.hpp"
+#include "striate/platform/simulator/render/paint.hpp"
 
 namespace striate::simulator::render {
 namespace {

@@ -1,4 +1,4 @@
-#include "platform/simulator/render/patches.hpp"
+#include "striate/platform/simulator/render/patches.hpp"
 
 #include <numbers>
 

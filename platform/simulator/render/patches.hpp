@@ -3,9 +3,9 @@
 #include <array>
 #include <vector>
 
-#include "base/geometry.hpp"
-#include "platform/simulator/render/materials.hpp"
-#include "platform/simulator/render/vec.hpp"
+#include "striate/base/geometry.hpp"
+#include "striate/platform/simulator/render/materials.hpp"
+#include "striate/platform/simulator/render/vec.hpp"
 
 /// The world as flat quadrilaterals. Each carries a texture and a small map of baked light, so a
 /// wall of many metres is one patch however finely it is lit.
@@ -42,7 +42,7 @@ struct Stand {
   float z_m = 0.0F;
   /// A point given in this frame, in the world.
   [[nodiscard]] Vec3 point(float x, float y, float z) const {
-    const Point2 p = to_outer(pose, Point2{x, y});
+    const Point2 p = transform(pose, Point2{x, y});
     return {static_cast<float>(p.x_m), static_cast<float>(p.y_m), z + z_m};
   }
 };
@@ -73,7 +73,7 @@ class PatchList {
   void next_group() { ++group_; }
   void set_spacing(float spacing_m) { spacing_m_ = spacing_m; }
 
-  /// Texture coordinates are given in metres (or 0..1 for pictures) as s right, t down.
+  /// Texture coordinates are given in metres (or 0..1 for images) as s right, t down.
   Patch& quad(const std::array<Vec3, 4>& corner, int material, const std::array<float, 4>& s,
               const std::array<float, 4>& t);
   /// An upright or lying rectangle: corner, its two edges; the texture's s runs along `along`,

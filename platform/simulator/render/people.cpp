@@ -1,4 +1,4 @@
-#include "platform/simulator/render/people.hpp"
+#include "striate/platform/simulator/render/people.hpp"
 
 #include <numbers>
 
@@ -7,7 +7,7 @@ namespace striate::simulator::render {
 /// One person being built. Own frame: x forward, y left, z up, metres of a person of 1.78 m.
 class Body {
  public:
-  Body(People& people, const People::Look& look, const PersonState& state,
+  Body(People& people, const People::Clothing& look, const PersonState& state,
        const LightProbes& probes, int sides)
       : people_(people), look_(look), state_(state), probes_(probes), sides_(sides) {
     stand_.pose = state.pose;
@@ -184,7 +184,7 @@ class Body {
   }
 
   People& people_;
-  const People::Look& look_;
+  const People::Clothing& look_;
   const PersonState& state_;
   const LightProbes& probes_;
   int sides_ = 12;

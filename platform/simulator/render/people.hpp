@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "platform/simulator/render/light_probes.hpp"
-#include "platform/simulator/scene.hpp"
+#include "striate/platform/simulator/render/light_probes.hpp"
+#include "striate/platform/simulator/scene.hpp"
 
 namespace striate::simulator::render {
 
@@ -19,7 +19,7 @@ struct Occluder {
   std::array<Ball, 5> balls;
 };
 
-/// The people of one picture: bodies in the pose of their stride, lit by the probes.
+/// The people of one image: bodies in the pose of their stride, lit by the probes.
 class People {
  public:
   /// Looks differ by clothes, hair, skin and height; a person's `look` is taken modulo these.
@@ -35,7 +35,7 @@ class People {
   [[nodiscard]] const std::vector<Occluder>& occluders() const { return occluders_; }
 
  private:
-  struct Look {
+  struct Clothing {
     int top = 0;
     int trousers = 0;
     int shoes = 0;
@@ -46,7 +46,7 @@ class People {
   };
   friend class Body;
 
-  std::vector<Look> looks_;
+  std::vector<Clothing> looks_;
   const Materials& materials_;
   std::vector<Patch> patches_;
   std::vector<V4> light_;

@@ -1,9 +1,9 @@
 #define HWY_WANT_AVX3_DL 1
 
-#include "platform/simulator/render/read_out_kernel.hpp"
+#include "striate/platform/simulator/render/read_out_kernel.hpp"
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "platform/simulator/render/read_out_kernel.cpp"
+#define HWY_TARGET_INCLUDE "striate/platform/simulator/render/read_out_kernel.cpp"
 #include <hwy/foreach_target.h>
 // After foreach_target.h, which defines the target.
 #include <hwy/highway.h>

@@ -2,14 +2,14 @@
 
 #include <cstdint>
 
-#include "platform/simulator/render/noise.hpp"
-#include "platform/simulator/render/vec.hpp"
+#include "striate/platform/simulator/render/noise.hpp"
+#include "striate/platform/simulator/render/vec.hpp"
 
 namespace striate::simulator::render {
 
 /// One row of a sensor as it is read out.
 struct ReadOutRow {
-  std::uint32_t noise_key = 0;  ///< of this row in this picture
+  std::uint32_t noise_key = 0;  ///< of this row in this image
   /// Lane of the colour that the filter lets through at even and odd columns, and how much.
   std::array<int, 2> colour{};
   std::array<float, 2> filter{};

@@ -1,9 +1,9 @@
-#include "platform/simulator/render/renderer.hpp"
+#include "striate/platform/simulator/render/renderer.hpp"
 
 #include <limits>
 
-#include "platform/simulator/render/camera_model.hpp"
-#include "platform/simulator/render/eye_picture.hpp"
+#include "striate/platform/simulator/render/camera_model.hpp"
+#include "striate/platform/simulator/render/eye_image.hpp"
 
 namespace striate::simulator {
 
@@ -45,14 +45,14 @@ struct Renderer::Parts {
   BakedLight baked;
   LightProbes probes;
   Shader shader;
-  EyePicture eye;
+  EyeImage eye;
   ExposureControl exposure_control;
   Exposure exposure;
   Sensor left;
   Sensor right;
   GaussTable gauss;
   bool has_last = false;
-  SceneState last;  ///< of the picture before: how fast the head turns
+  SceneState last;  ///< of the image before: how fast the head turns
 };
 
 /// Each camera keeps half of what rectification left.
@@ -62,7 +62,7 @@ View Renderer::Parts::view(const SceneState& state, Eye which) const {
   const auto draw = [&](std::uint64_t k) {
     return static_cast<double>(gauss(key_of(seed, 0xCA11 + k)));
   };
-  // Offset, roll and a tilt, equal parts of the whole error at the picture's border.
+  // Offset, roll and a tilt, equal parts of the whole error at the image's border.
   const double part = sign * settings.rectification_px / std::sqrt(1.0 + 1.0 / 3.0 + 1.0 / 3.0);
   const double sign_of_offset = draw(0) < 0.0 ? -1.0 : 1.0;
   view.skew_px = static_cast<float>(part * sign_of_offset);
@@ -93,11 +93,11 @@ Renderer::~Renderer() = default;
 Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
-StereoFrame Renderer::picture(const SceneState& state) {
+StereoFrame Renderer::image(const SceneState& state) {
   Parts& p = *parts_;
   p.set_scene(state);
   const float flicker = p.gauss(key_of(p.seed ^ 0xF11CULL, state.frame));
-  p.shader.begin_picture(1.0F + static_cast<float>(p.settings.flicker) * flicker);
+  p.shader.begin_image(1.0F + static_cast<float>(p.settings.flicker) * flicker);
   const View left = p.view(state, Eye::left);
   const std::vector<V4>& left_light = p.eye.render(left, p.settings.smooth_edges);
   p.exposure = p.exposure_control.choose(left_light);

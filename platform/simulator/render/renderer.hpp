@@ -4,8 +4,8 @@
 #include <memory>
 #include <opencv2/core/mat.hpp>
 
-#include "platform/simulator/render/camera_settings.hpp"
-#include "platform/simulator/scene.hpp"
+#include "striate/platform/simulator/render/camera_settings.hpp"
+#include "striate/platform/simulator/scene.hpp"
 
 namespace striate::simulator {
 
@@ -15,7 +15,7 @@ namespace striate::simulator {
 /// threads.
 class Renderer {
  public:
-  /// Builds and lights the world (about a second). Throws UserError for a material or picture
+  /// Builds and lights the world (about a second). Throws UserError for a material or image
   /// that is neither shipped nor a readable file.
   Renderer(const World& world, const FloorPlan& plan, const CameraSettings& settings,
            std::uint64_t seed);
@@ -23,19 +23,19 @@ class Renderer {
   Renderer(Renderer&&) noexcept;
   Renderer& operator=(Renderer&&) noexcept;
 
-  /// What both cameras see. Exposure control goes on from picture to picture; noise depends on
+  /// What both cameras see. Exposure control goes on from image to image; noise depends on
   /// the seed and `state.frame`. Left for the caller: `stamp` and `head`.
-  [[nodiscard]] StereoFrame picture(const SceneState& state);
+  [[nodiscard]] StereoFrame image(const SceneState& state);
 
   /// Depth in metres along the left camera's optical axis, +inf where nothing is (the outdoors),
-  /// in a picture of `width_px` and three quarters of that. For judging only.
+  /// in an image of `width_px` and three quarters of that. For judging only.
   [[nodiscard]] cv::Mat1f true_depth(const SceneState& state, int width_px);
 
   /// Light on the floor's things at a place, lamps, sky and what walls reflect: 0 dark .. 1 as
   /// bright as an office corridor (or brighter). Direct sun is not counted.
   [[nodiscard]] double light_level(Point2 plan) const;
 
-  /// How the last picture was exposed.
+  /// How the last image was exposed.
   struct LastExposure {
     double shutter_s = 0.0;
     double gain = 1.0;

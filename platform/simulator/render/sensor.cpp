@@ -1,5 +1,5 @@
-#include "platform/simulator/render/camera_model.hpp"
-#include "platform/simulator/render/read_out_kernel.hpp"
+#include "striate/platform/simulator/render/camera_model.hpp"
+#include "striate/platform/simulator/render/read_out_kernel.hpp"
 
 namespace striate::simulator::render {
 namespace {
@@ -85,7 +85,7 @@ cv::Mat3b Sensor::expose(const std::vector<V4>& light, const Exposure& exposure,
   if (smear.u_px > 0.3F) smear_rows(smear.u_px + 1.0F);
   if (smear.v_px > 0.3F) smear_columns(smear.v_px + 1.0F);
   read_out(exposure, frame);
-  return demosaic_.picture(raw_);
+  return demosaic_.image(raw_);
 }
 
 /// A lens is not sharper than the pixels: a cross-shaped point spread, which also keeps colours

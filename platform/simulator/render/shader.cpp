@@ -1,9 +1,9 @@
-#include "platform/simulator/render/shader.hpp"
+#include "striate/platform/simulator/render/shader.hpp"
 
 namespace striate::simulator::render {
-Shader::Look Shader::look_at(const Packet& packet, unsigned lane, float spread,
-                             float before_m) const {
-  Look look;
+Shader::Surroundings Shader::look_at(const Packet& packet, unsigned lane, float spread,
+                                     float before_m) const {
+  Surroundings look;
   look.person = packet.rays.hit.geomID[lane] == Tracer::kPeople;
   const unsigned number = packet.rays.hit.primID[lane];
   const Patch& patch = look.person ? people_.patches()[number] : stage_.patches[number];
@@ -102,7 +102,7 @@ bool Shader::on_one_patch(const Packet& packet) {
 }
 
 /// What reaches the eye of the light on the lane's place; what the sun adds comes later.
-void Shader::light_up(const Packet& packet, unsigned lane, const Look& look, Lanes& lanes,
+void Shader::light_up(const Packet& packet, unsigned lane, const Surroundings& look, Lanes& lanes,
                       Shaded& out) const {
   const Patch& patch = *look.patch;
   V4 light = lanes.light[lane];
@@ -120,7 +120,7 @@ void Shader::light_up(const Packet& packet, unsigned lane, const Look& look, Lan
   out.colour[3] = mirror;
 }
 
-void Shader::shade_one_patch(const Packet& packet, const Look& look, Lanes& lanes,
+void Shader::shade_one_patch(const Packet& packet, const Surroundings& look, Lanes& lanes,
                              Shaded* out) const {
   for (unsigned i = 0; i < Packet::kSize; ++i) out[i].group = look.patch->group;
   if (look.material->shines) {
@@ -139,7 +139,7 @@ void Shader::shade_one_patch(const Packet& packet, const Look& look, Lanes& lane
   for (unsigned i = 0; i < Packet::kSize; ++i) light_up(packet, i, look, lanes, out[i]);
 }
 
-void Shader::shade_lane(const Packet& packet, unsigned lane, const Look& look, Lanes& lanes,
+void Shader::shade_lane(const Packet& packet, unsigned lane, const Surroundings& look, Lanes& lanes,
                         Shaded& out) const {
   out.group = look.patch->group;
   if (look.material->shines) {
@@ -169,7 +169,7 @@ void Shader::shade(const Packet& packet, float spread, const float* before_m, Sh
   if (on_one_patch(packet)) {
     shade_one_patch(packet, look_along(0), lanes, out);
   } else {
-    Look look;
+    Surroundings look;
     unsigned seen = RTC_INVALID_GEOMETRY_ID;  // the patch that `look` is of
     for (unsigned i = 0; i < Packet::kSize; ++i) {
       if (packet.valid[i] == 0) continue;

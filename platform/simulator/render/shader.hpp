@@ -1,8 +1,8 @@
 #pragma once
 
-#include "platform/simulator/render/packet_kernels.hpp"
-#include "platform/simulator/render/people.hpp"
-#include "platform/simulator/render/stage.hpp"
+#include "striate/platform/simulator/render/packet_kernels.hpp"
+#include "striate/platform/simulator/render/people.hpp"
+#include "striate/platform/simulator/render/stage.hpp"
 
 namespace striate::simulator::render {
 
@@ -20,8 +20,8 @@ class Shader {
   Shader(const Stage& stage, const BakedLight& baked, const People& people, const Tracer& tracer)
       : stage_(stage), baked_(baked), people_(people), tracer_(tracer) {}
 
-  /// `flicker`: of the lamps in this picture, about 1.
-  void begin_picture(float flicker) { flicker_ = flicker; }
+  /// `flicker`: of the lamps in this image, about 1.
+  void begin_image(float flicker) { flicker_ = flicker; }
 
   /// Shades the valid lanes of a traced packet. `spread`: width of a pixel at distance one, grown
   /// for blurred mirror images. `before_m`: of way that the light went before (mirrors).
@@ -29,7 +29,7 @@ class Shader {
 
  private:
   /// What neighbouring rays on one patch have in common.
-  struct Look {
+  struct Surroundings {
     const Patch* patch = nullptr;
     const Material* material = nullptr;
     /// Two mip levels a little apart, used in turn: no border is seen where the level changes.
@@ -49,13 +49,14 @@ class Shader {
     bool people = false;  ///< any hit may lie in somebody's contact shadow
   };
   [[nodiscard]] static bool on_one_patch(const Packet& packet);
-  void light_up(const Packet& packet, unsigned lane, const Look& look, Lanes& lanes,
+  void light_up(const Packet& packet, unsigned lane, const Surroundings& look, Lanes& lanes,
                 Shaded& out) const;
-  void shade_one_patch(const Packet& packet, const Look& look, Lanes& lanes, Shaded* out) const;
-  void shade_lane(const Packet& packet, unsigned lane, const Look& look, Lanes& lanes,
+  void shade_one_patch(const Packet& packet, const Surroundings& look, Lanes& lanes,
+                       Shaded* out) const;
+  void shade_lane(const Packet& packet, unsigned lane, const Surroundings& look, Lanes& lanes,
                   Shaded& out) const;
-  [[nodiscard]] Look look_at(const Packet& packet, unsigned lane, float spread,
-                             float before_m) const;
+  [[nodiscard]] Surroundings look_at(const Packet& packet, unsigned lane, float spread,
+                                     float before_m) const;
   [[nodiscard]] float hidden_by_people(Vec3 place, Vec3 normal) const;
   [[nodiscard]] bool people_near(const Packet& packet) const;
   void cast_to_sun(const Packet& packet, const std::array<Vec3, Packet::kSize>& normal,

@@ -2,7 +2,7 @@
 
 #include <functional>
 
-#include "platform/simulator/render/tracer.hpp"
+#include "striate/platform/simulator/render/tracer.hpp"
 
 namespace striate::simulator::render {
 

@@ -1,4 +1,4 @@
-#include "platform/simulator/render/stage.hpp"
+#include "striate/platform/simulator/render/stage.hpp"
 
 #include <set>
 

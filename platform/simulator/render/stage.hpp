@@ -3,11 +3,11 @@
 #include <optional>
 #include <vector>
 
-#include "platform/simulator/obstacle_shapes.hpp"
-#include "platform/simulator/render/outdoors.hpp"
-#include "platform/simulator/render/patches.hpp"
-#include "platform/simulator/scene.hpp"
-#include "platform/simulator/world.hpp"
+#include "striate/platform/simulator/obstacle_shapes.hpp"
+#include "striate/platform/simulator/render/outdoors.hpp"
+#include "striate/platform/simulator/render/patches.hpp"
+#include "striate/platform/simulator/scene.hpp"
+#include "striate/platform/simulator/world.hpp"
 
 namespace striate::simulator::render {
 

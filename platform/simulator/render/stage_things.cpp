@@ -1,7 +1,7 @@
 #include <numbers>
 
-#include "platform/simulator/render/noise.hpp"
-#include "platform/simulator/render/stage.hpp"
+#include "striate/platform/simulator/render/noise.hpp"
+#include "striate/platform/simulator/render/stage.hpp"
 
 namespace striate::simulator::render {
 namespace {

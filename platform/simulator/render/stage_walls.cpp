@@ -1,4 +1,4 @@
-#include "platform/simulator/render/stage.hpp"
+#include "striate/platform/simulator/render/stage.hpp"
 
 namespace striate::simulator::render {
 namespace {
@@ -38,7 +38,8 @@ class Wall {
   [[nodiscard]] std::optional<float> place_of(Side side, double along_m) const {
     if (!along_the_corridor_ || side != segment_.side) return std::nullopt;
     const Pose2 on_line = plan_.at(along_m, 0.0);
-    const auto x = static_cast<float>(to_inner(stand_.pose, Point2{on_line.x_m, on_line.y_m}).x_m);
+    const auto x =
+        static_cast<float>(inverse_transform(stand_.pose, Point2{on_line.x_m, on_line.y_m}).x_m);
     if (x < 0.0F || x > length_m_) return std::nullopt;
     const Vec3 p = stand_.point(x, 0.0F, 0.0F);
     if (std::abs(plan_.along({p.x, p.y, 0.0}).x_m - along_m) > 0.3) return std::nullopt;

@@ -1,4 +1,4 @@
-#include "platform/simulator/render/sun_spots.hpp"
+#include "striate/platform/simulator/render/sun_spots.hpp"
 
 namespace striate::simulator::render {
 namespace {

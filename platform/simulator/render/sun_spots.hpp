@@ -2,7 +2,7 @@
 
 #include <numbers>
 
-#include "platform/simulator/render/stage.hpp"
+#include "striate/platform/simulator/render/stage.hpp"
 
 namespace striate::simulator::render {
 

@@ -1,4 +1,4 @@
-#include "platform/simulator/render/texture.hpp"
+#include "striate/platform/simulator/render/texture.hpp"
 
 #include <bit>
 #include <opencv2/imgproc.hpp>
@@ -23,11 +23,11 @@ std::uint32_t packed(const cv::Vec3f& linear) {
 
 }  // namespace
 
-Texture::Texture(const cv::Mat3b& picture)
-    : width_(power_of_two(picture.cols)), height_(power_of_two(picture.rows)) {
-  cv::Mat3b sized = picture;
-  if (picture.cols != width_ || picture.rows != height_) {
-    cv::resize(picture, sized, {width_, height_}, 0, 0, cv::INTER_AREA);
+Texture::Texture(const cv::Mat3b& image)
+    : width_(power_of_two(image.cols)), height_(power_of_two(image.rows)) {
+  cv::Mat3b sized = image;
+  if (image.cols != width_ || image.rows != height_) {
+    cv::resize(image, sized, {width_, height_}, 0, 0, cv::INTER_AREA);
   }
   cv::Mat3f linear;
   sized.convertTo(linear, CV_32F, 1.0 / 255.0);

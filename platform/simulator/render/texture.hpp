@@ -4,18 +4,18 @@
 #include <opencv2/core/mat.hpp>
 #include <vector>
 
-#include "platform/simulator/render/vec.hpp"
+#include "striate/platform/simulator/render/vec.hpp"
 
 namespace striate::simulator::render {
 
-/// A picture with its mip levels: each level is half as wide, so that one sample a pixel suffices
+/// A image with its mip levels: each level is half as wide, so that one sample a pixel suffices
 /// at any distance. Texels hold the square root of the albedo in 8 bits.
 class Texture {
  public:
   Texture() = default;
-  /// `picture`: display values (about the square root of linear light). Sides are brought to
+  /// `image`: display values (about the square root of linear light). Sides are brought to
   /// powers of two, at most `kMaxSide`.
-  explicit Texture(const cv::Mat3b& picture);
+  explicit Texture(const cv::Mat3b& image);
 
   /// Texels: 2 mm on a poster of 2 m, a pixel of width 320 seen 0.8 m away
   static constexpr int kMaxSide = 1024;
@@ -35,11 +35,11 @@ class Texture {
     float scale_v = 0.0F;
   };
   /// The level nearest to `level`; 0 is the finest. Blending two levels costs a tenth of the
-  /// picture's time and shows no difference under the sensor's noise.
+  /// image's time and shows no difference under the sensor's noise.
   [[nodiscard]] const Level& level(float level) const {
     return levels_[static_cast<std::size_t>(std::min(std::max(level + 0.5F, 0.0F), top_level_))];
   }
-  /// Linear albedo at (s, t) in repeats of the picture, s right, t down; bilinear.
+  /// Linear albedo at (s, t) in repeats of the image, s right, t down; bilinear.
   [[nodiscard]] V4 sample(const Level& level, float s, float t) const;
   /// For those who know where texels lie; see Level.
   [[nodiscard]] const std::uint32_t* texels() const { return texels_.data(); }
@@ -59,7 +59,7 @@ class Texture {
 };
 
 /// The four bytes of a texel as numbers. Spelt out by shuffles: compilers turn a plain conversion
-/// of four bytes into scalar code, at three times the cost of a whole picture.
+/// of four bytes into scalar code, at three times the cost of a whole image.
 [[nodiscard]] inline V4 unpacked(std::uint32_t texel) {
   using Bytes = std::uint8_t __attribute__((vector_size(16)));
   using Shorts = std::uint16_t __attribute__((vector_size(16)));

@@ -1,4 +1,4 @@
-#include "platform/simulator/render/tracer.hpp"
+#include "striate/platform/simulator/render/tracer.hpp"
 
 #include <stdexcept>
 

@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "platform/simulator/render/patches.hpp"
+#include "striate/platform/simulator/render/patches.hpp"
 
 namespace striate::simulator::render {
 
@@ -74,7 +74,7 @@ inline void Packet::set(unsigned lane, Vec3 origin, Vec3 direction, float t_min,
   valid[lane] = -1;
 }
 
-/// The patches in Embree: what stands still, built once, and the people, built anew each picture.
+/// The patches in Embree: what stands still, built once, and the people, built anew each image.
 /// One thread; two tracers may work in two threads.
 class Tracer {
  public:

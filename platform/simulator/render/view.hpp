@@ -1,8 +1,8 @@
 #pragma once
 
-#include "platform/simulator/render/camera_settings.hpp"
-#include "platform/simulator/render/vec.hpp"
-#include "platform/simulator/scene.hpp"
+#include "striate/platform/simulator/render/camera_settings.hpp"
+#include "striate/platform/simulator/render/vec.hpp"
+#include "striate/platform/simulator/scene.hpp"
 
 namespace striate::simulator::render {
 
@@ -18,7 +18,7 @@ struct View {
   float focal_px = 0.0F;
   float centre_u_px = 0.0F;
   float centre_v_px = 0.0F;
-  /// What is left of the vertical misalignment: offset and its growth across the picture.
+  /// What is left of the vertical misalignment: offset and its growth across the image.
   float skew_px = 0.0F;
   float skew_by_u = 0.0F;
   float skew_by_v = 0.0F;
@@ -41,7 +41,7 @@ enum class Eye { left, right };
   const double s = std::sin(heading);
   const double ct = std::cos(state.head.tilt_rad);
   const double st = std::sin(state.head.tilt_rad);
-  const Point2 axis = to_outer(state.robot, Point2{camera.forward_of_axle_m, 0.0});
+  const Point2 axis = transform(state.robot, Point2{camera.forward_of_axle_m, 0.0});
   const double aside = (eye == Eye::left ? 0.5 : -0.5) * camera.baseline_m;
   const auto f = [](double v) { return static_cast<float>(v); };
   View view;

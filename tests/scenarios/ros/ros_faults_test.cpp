@@ -7,19 +7,19 @@
 #include <atomic>
 #include <mutex>
 
-#include "platform/ros/messages.hpp"
-#include "platform/ros/node.hpp"
+#include "striate/platform/ros/messages.hpp"
+#include "striate/platform/ros/node.hpp"
 #include "tests/scenarios/ros/through_ros.hpp"
 
 /// What stops a robot that is only reachable through ROS, and how soon zero is on `cmd_vel`.
 namespace striate::scenarios {
 namespace {
 
-/// A robot that obeys at once: 20 times a second odometry and, while it has eyes, a picture pair.
+/// A robot that obeys at once: 20 times a second odometry and, while it has eyes, an image pair.
 class FakeRobot {
  public:
   FakeRobot() {
-    ros1::join_ros("fake");
+    ros::join_ros("fake");
     node_ = std::make_unique<::ros::NodeHandle>();
     node_->setCallbackQueue(&queue_);
     odometry_ = node_->advertise<nav_msgs::Odometry>("odom", 1);
@@ -61,11 +61,11 @@ class FakeRobot {
     odometry.twist.twist.linear.x = forward_m_s;
     odometry_.publish(odometry);
     if (!has_eyes) return;
-    sensor_msgs::Image picture;
-    picture.header.stamp = ::ros::Time::now();
-    ros1::write(cv::Mat3b(120, 160, cv::Vec3b(90, 90, 90)), picture);
-    left_.publish(picture);
-    right_.publish(picture);
+    sensor_msgs::Image image;
+    image.header.stamp = ::ros::Time::now();
+    ros::write(cv::Mat3b(120, 160, cv::Vec3b(90, 90, 90)), image);
+    left_.publish(image);
+    right_.publish(image);
   }
 
   ::ros::CallbackQueue queue_;
@@ -78,8 +78,8 @@ class FakeRobot {
   Steady::time_point last_drive_;
 };
 
-ros1::RosSettings patient() {
-  ros1::RosSettings settings;
+ros::RosSettings patient() {
+  ros::RosSettings settings;
   settings.lost_s = 4.0;
   settings.focal_px = 203.0;
   settings.baseline_m = 0.12;
@@ -87,7 +87,7 @@ ros1::RosSettings patient() {
 }
 
 /// Commands 0.3 m/s until the robot is told to stand. @returns why the gate holds it
-std::string drive_until_held(ros1::RosRobot& robot, FakeRobot& fake) {
+std::string drive_until_held(ros::RosRobot& robot, FakeRobot& fake) {
   Senses senses;
   until(robot, senses, 3.0, [&] {
     robot.send({0.3, 0.0, 0.0, 0.0});
@@ -96,7 +96,7 @@ std::string drive_until_held(ros1::RosRobot& robot, FakeRobot& fake) {
   return robot.hold();
 }
 
-void drive_freely(ros1::RosRobot& robot, FakeRobot& fake) {
+void drive_freely(ros::RosRobot& robot, FakeRobot& fake) {
   Senses senses;
   until(robot, senses, 10.0, [&] {
     robot.send({0.3, 0.0, 0.0, 0.0});
@@ -107,13 +107,13 @@ void drive_freely(ros1::RosRobot& robot, FakeRobot& fake) {
 }
 
 // Both limits below: the deadline itself, one period of 50 ms, and a loaded machine.
-TEST_F(ThroughRos, ARobotWithoutPicturesIsToldToStandHoweverItIsCommanded) {
+TEST_F(ThroughRos, ARobotWithoutImagesIsToldToStandHoweverItIsCommanded) {
   FakeRobot fake;
-  ros1::RosRobot robot(patient(), {}, 20s);
+  ros::RosRobot robot(patient(), {}, 20s);
   drive_freely(robot, fake);
   const auto blind = Steady::now();
   fake.has_eyes = false;
-  EXPECT_EQ(drive_until_held(robot, fake), "no pictures");
+  EXPECT_EQ(drive_until_held(robot, fake), "no images");
   RecordProperty("seconds_to_zero", std::to_string(fake.drove_for_s(blind)));
   EXPECT_LT(fake.drove_for_s(blind), 0.5 + 0.3);
 
@@ -128,7 +128,7 @@ TEST_F(ThroughRos, ARobotWithoutPicturesIsToldToStandHoweverItIsCommanded) {
 TEST_F(ThroughRos, TheEndOfTheMissionIsAZeroOnCmdVel) {
   FakeRobot fake;
   {
-    ros1::RosRobot robot(patient(), {}, 20s);
+    ros::RosRobot robot(patient(), {}, 20s);
     drive_freely(robot, fake);
   }
   EXPECT_EQ(fake.forward_m_s, 0.0);
@@ -136,7 +136,7 @@ TEST_F(ThroughRos, TheEndOfTheMissionIsAZeroOnCmdVel) {
 
 TEST_F(ThroughRos, ADeadMasterStopsTheRobotThoughItsLinksLive) {
   FakeRobot fake;
-  ros1::RosRobot robot(patient(), {}, 20s);
+  ros::RosRobot robot(patient(), {}, 20s);
   drive_freely(robot, fake);
   const auto dead = Steady::now();
   master->kill();
@@ -161,7 +161,7 @@ TEST_F(ThroughRos, CmdVelTowardsABoxStandsBeforeIt) {
                           "  - {kind: cardboard_box, at: [6 m, 0 m], size: [0.4 m, 1.0 m, 0.8 m]}\n"
                           "start: {at: [4 m, 0 m], heading: 0 deg}\n"
                           "goal: {beyond: 10 m}\n"));
-  ros1::RosRobot robot(settings(), {}, 30s);
+  ros::RosRobot robot(settings(), {}, 30s);
   Senses senses;
   bool moved = false;
   until(robot, senses, 20.0, [&] {

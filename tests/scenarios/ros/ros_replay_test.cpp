@@ -36,14 +36,14 @@ int replay(const reference::TemporaryFolder& folder, std::vector<std::string> wo
 
 TEST(RosReplay, LooksAtEachPairOfABagWithoutAMaster) {
   const reference::TemporaryFolder folder;
-  ros1::WrittenBag bag;
+  ros::WrittenBag bag;
   bag.pairs = 12;
   bag.paint = paint_wall;
-  ros1::write_bag(folder / "wall.bag", bag);
+  ros::write_bag(folder / "wall.bag", bag);
   ASSERT_EQ(replay(folder, {folder / "wall.bag", "--out", folder / "out", "--picture-every", "6"}),
             0)
       << text_of(folder / "log");
-  EXPECT_THAT(text_of(folder / "log"), testing::HasSubstr("12 picture pairs"));
+  EXPECT_THAT(text_of(folder / "log"), testing::HasSubstr("12 image pairs"));
   const std::vector<std::string> lines = lines_of(folder / "out/percepts.jsonl");
   ASSERT_EQ(lines.size(), 12u);
   EXPECT_THAT(lines.back(), testing::HasSubstr("\"x_m\":0.33"));

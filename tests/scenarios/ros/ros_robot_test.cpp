@@ -13,7 +13,7 @@ namespace {
 
 TEST_F(ThroughRos, TheSimulatedPioneerIsFeltAndDrivenAndStandsWhenTheCommandsEnd) {
   const auto server = serve("config/worlds/empty.yaml");
-  ros1::RosRobot robot(settings(), {}, 30s);
+  ros::RosRobot robot(settings(), {}, 30s);
   Senses senses;
   const MotorCommand forward{0.3, 0.0, 0.2, -0.2};
   const double took_s = until(robot, senses, 40.0, [&] {
@@ -50,7 +50,7 @@ TEST_F(ThroughRos, TheSimulatedPioneerIsFeltAndDrivenAndStandsWhenTheCommandsEnd
 
 TEST_F(ThroughRos, AMissionDrivesByVisionAndTheRobotStandsWhenItIsKilled) {
   const auto server = serve("config/worlds/short.yaml");
-  ros1::RosRobot onlooker(settings(), {}, 30s);
+  ros::RosRobot onlooker(settings(), {}, 30s);
   Senses senses;
   auto first = mission("2 m");
   EXPECT_EQ(first->wait(60s), 0) << text_of(log("mission"));
@@ -84,7 +84,7 @@ struct Heard {
 
 TEST_F(ThroughRos, DisparityDiagnosticsAndFramesAreShown) {
   const auto server = serve("config/worlds/short.yaml");
-  ros1::RosRobot robot(settings(), {}, 30s);  // joins ROS
+  ros::RosRobot robot(settings(), {}, 30s);  // joins ROS
   ::ros::CallbackQueue queue;
   ::ros::NodeHandle node;
   node.setCallbackQueue(&queue);
@@ -119,7 +119,7 @@ TEST_F(ThroughRos, DisparityDiagnosticsAndFramesAreShown) {
 
 TEST_F(ThroughRos, ARobotThatIsNotThereIsNamedByItsTopic) {
   try {
-    ros1::RosRobot robot(settings(), {}, 300ms);
+    ros::RosRobot robot(settings(), {}, 300ms);
     FAIL() << "nobody publishes";
   } catch (const std::runtime_error& error) {
     EXPECT_THAT(error.what(), testing::HasSubstr("no odometry came on /odom"));

@@ -9,7 +9,7 @@
 #include <sstream>
 #include <string>
 
-#include "platform/ros/ros_robot.hpp"
+#include "striate/platform/ros/ros_robot.hpp"
 #include "tests/reference/temporary_folder.hpp"
 #include "tests/scenarios/ros/ros_master.hpp"
 
@@ -61,8 +61,8 @@ class ThroughRos : public testing::Test {
         log("mission"));
   }
   static std::string log(const std::string& name) { return *folder / (name + ".log"); }
-  static ros1::RosSettings settings() {
-    ros1::RosSettings settings;
+  static ros::RosSettings settings() {
+    ros::RosSettings settings;
     settings.lost_s = 1.5;
     return settings;
   }
@@ -74,7 +74,7 @@ class ThroughRos : public testing::Test {
 
 /// Senses until it holds or the limit is over. @returns the seconds that it took
 template <class Holds>
-double until(ros1::RosRobot& robot, Senses& senses, double limit_s, const Holds& holds) {
+double until(ros::RosRobot& robot, Senses& senses, double limit_s, const Holds& holds) {
   const auto begin = Steady::now();
   double took_s = 0.0;
   do {

@@ -1,10 +1,10 @@
-#include "agent/run_outcome.hpp"
+#include "striate/agent/run_outcome.hpp"
 
 #include <gtest/gtest.h>
 
 #include <set>
 
-namespace striate {
+namespace striate::agent {
 namespace {
 
 TEST(RunOutcome, EachStandsInTheTableAtItsPlaceUnderANameOfItsOwn) {
@@ -44,4 +44,4 @@ TEST(RunOutcome, ATrialMakesARunAgainThatWasInterruptedOrLost) {
 }
 
 }  // namespace
-}  // namespace striate
+}  // namespace striate::agent

@@ -1,28 +1,28 @@
-#include "app/commands/action_list.hpp"
+#include "striate/app/commands/action_list.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "tasks/task_reader.hpp"
+#include "striate/tasks/task_reader.hpp"
 
-namespace striate {
+namespace striate::app {
 namespace {
 
 TEST(ActionList, EveryExampleIsAGoodStep) {
   const auto json = actions_as_json();
-  EXPECT_EQ(json.at("actions").size(), behaviour_registry().size());
+  EXPECT_EQ(json.at("actions").size(), behaviours::behaviour_registry().size());
   for (const auto& action : json.at("actions")) {
-    config::Mistakes mistakes("t.yaml", 'T');
+    config::Diagnostics diagnostics("t.yaml", 'T');
     const std::string example = action.at("example");
-    read_task("striate: 1\ndo:\n  " + example + "\n", mistakes, RobotDescription{});
-    EXPECT_TRUE(mistakes.none()) << mistakes.text();
+    tasks::read_task("striate: 1\ndo:\n  " + example + "\n", diagnostics, RobotDescription{});
+    EXPECT_TRUE(diagnostics.none()) << diagnostics.text();
   }
   for (const auto& condition : json.at("conditions")) {
-    config::Mistakes mistakes("t.yaml", 'T');
+    config::Diagnostics diagnostics("t.yaml", 'T');
     const std::string example = condition.at("example");
-    read_task("striate: 1\ndo:\n  - traverse_corridor: {}\n    " + example + "\n", mistakes,
-              RobotDescription{});
-    EXPECT_TRUE(mistakes.none()) << mistakes.text();
+    tasks::read_task("striate: 1\ndo:\n  - traverse_corridor: {}\n    " + example + "\n",
+                     diagnostics, RobotDescription{});
+    EXPECT_TRUE(diagnostics.none()) << diagnostics.text();
   }
 }
 
@@ -39,4 +39,4 @@ TEST(ActionList, TellsDefaultsRangesAndWhatMustBeGiven) {
 }
 
 }  // namespace
-}  // namespace striate
+}  // namespace striate::app

@@ -4,12 +4,12 @@
 #include <filesystem>
 #include <fstream>
 
-#include "app/doctor/configuration.hpp"
-#include "app/doctor/devices.hpp"
-#include "app/doctor/machine.hpp"
+#include "striate/app/doctor/configuration.hpp"
+#include "striate/app/doctor/devices.hpp"
+#include "striate/app/doctor/machine.hpp"
 #include "tests/reference/temporary_folder.hpp"
 
-namespace striate {
+namespace striate::app {
 namespace {
 
 namespace fs = std::filesystem;
@@ -100,4 +100,4 @@ TEST(Doctor, LooksIntoTheMemory) {
 }
 
 }  // namespace
-}  // namespace striate
+}  // namespace striate::app

@@ -8,13 +8,13 @@
 #include <optional>
 #include <sstream>
 
-#include "app/perceive.hpp"
-#include "app/pfm.hpp"
-#include "app/picture_header.hpp"
-#include "app/read_picture.hpp"
-#include "base/user_error.hpp"
+#include "striate/app/perceive.hpp"
+#include "striate/base/user_error.hpp"
+#include "striate/evaluation/images/image_header.hpp"
+#include "striate/evaluation/images/pfm.hpp"
+#include "striate/evaluation/images/read_image.hpp"
 
-namespace striate {
+namespace striate::app {
 namespace {
 
 namespace fs = std::filesystem;
@@ -31,8 +31,8 @@ class HostileInput : public testing::Test {
   }
   void TearDown() override { fs::remove_all(folder_); }
 
-  [[nodiscard]] fs::path write(const cv::Mat& picture) const {
-    cv::imwrite((folder_ / "p.png").string(), picture);
+  [[nodiscard]] fs::path write(const cv::Mat& image) const {
+    cv::imwrite((folder_ / "p.png").string(), image);
     return folder_ / "p.png";
   }
   [[nodiscard]] fs::path write_bytes(const std::vector<uchar>& bytes) const {
@@ -42,15 +42,15 @@ class HostileInput : public testing::Test {
     return folder_ / "p.png";
   }
   /// Nothing that packs well: a cut takes pixels away.
-  [[nodiscard]] static cv::Mat3b noisy_picture() {
-    cv::Mat3b picture(48, 64);
+  [[nodiscard]] static cv::Mat3b noisy_image() {
+    cv::Mat3b image(48, 64);
     cv::theRNG().state = 7;
-    cv::randu(picture, 0, 256);
-    return picture;
+    cv::randu(image, 0, 256);
+    return image;
   }
   [[nodiscard]] static std::string error_of(const fs::path& file) {
     try {
-      (void)read_any_picture(file);
+      (void)evaluation::read_any_image(file);
     } catch (const UserError& e) {
       return e.what();
     }
@@ -67,46 +67,46 @@ std::string pfm(const std::string& header, const std::vector<float>& values) {
 std::string pfm_error(const std::string& bytes) {
   std::istringstream in(bytes);
   try {
-    (void)read_pfm(in, "f.pfm");
+    (void)evaluation::read_pfm(in, "f.pfm");
   } catch (const UserError& e) {
     return e.what();
   }
   return "";
 }
 
-TEST_F(HostileInput, TinyHugeAndLongPicturesAreRefusedWithTheirSize) {
+TEST_F(HostileInput, TinyHugeAndLongImagesAreRefusedWithTheirSize) {
   EXPECT_THAT(error_of(write(cv::Mat1b(1, 1, uchar{3}))), HasSubstr("p.png: is 1 x 1 px"));
   EXPECT_THAT(error_of(write(cv::Mat1b(8000, 8000, uchar{3}))), HasSubstr("8000 x 8000"));
   EXPECT_THAT(error_of(write(cv::Mat1b(100, 20000, uchar{3}))), HasSubstr("20000 x 100"));
 }
 
-TEST_F(HostileInput, TruncatedEmptyAndMissingFilesAreNoPictures) {
+TEST_F(HostileInput, TruncatedEmptyAndMissingFilesAreNoImages) {
   const fs::path whole = write(cv::Mat3b(64, 64, cv::Vec3b(1, 2, 3)));
   fs::resize_file(whole, 40);
-  EXPECT_THAT(error_of(whole), HasSubstr("is no picture"));
+  EXPECT_THAT(error_of(whole), HasSubstr("is no image"));
   std::ofstream(folder_ / "empty.png").flush();
-  EXPECT_THAT(error_of(folder_ / "empty.png"), HasSubstr("is no picture"));
+  EXPECT_THAT(error_of(folder_ / "empty.png"), HasSubstr("is no image"));
   EXPECT_THAT(error_of(folder_), HasSubstr("is a folder"));
   EXPECT_THAT(error_of(folder_ / "nowhere.png"), HasSubstr("no such file"));
 }
 
-TEST_F(HostileInput, AFileThatWasCutOffAnywhereIsNoPicture) {
-  const cv::Mat3b whole = noisy_picture();
+TEST_F(HostileInput, AFileThatWasCutOffAnywhereIsNoImage) {
+  const cv::Mat3b whole = noisy_image();
   for (const char* kind : {".png", ".jpg", ".ppm", ".bmp", ".tiff", ".webp"}) {
     std::vector<uchar> bytes;
     cv::imencode(kind, whole, bytes);
-    EXPECT_EQ(read_any_picture(write_bytes(bytes)).size(), whole.size()) << kind;
+    EXPECT_EQ(evaluation::read_any_image(write_bytes(bytes)).size(), whole.size()) << kind;
     for (const double share : {0.3, 0.6, 0.95}) {
       std::vector<uchar> part = bytes;
       part.resize(static_cast<std::size_t>(share * static_cast<double>(bytes.size())));
-      EXPECT_THAT(error_of(write_bytes(part)), HasSubstr("is no picture")) << kind << ' ' << share;
+      EXPECT_THAT(error_of(write_bytes(part)), HasSubstr("is no image")) << kind << ' ' << share;
     }
   }
 }
 
-TEST_F(HostileInput, APngWithADamagedByteIsNoPicture) {
+TEST_F(HostileInput, APngWithADamagedByteIsNoImage) {
   std::vector<uchar> bytes;
-  cv::imencode(".png", noisy_picture(), bytes);
+  cv::imencode(".png", noisy_image(), bytes);
   bytes[bytes.size() / 2] ^= 4U;
   EXPECT_THAT(error_of(write_bytes(bytes)), HasSubstr("damaged"));
 }
@@ -115,7 +115,7 @@ TEST_F(HostileInput, AHugeSizeInTheHeaderIsRefusedBeforeAnythingIsDecoded) {
   for (const char* kind : {".png", ".jpg", ".bmp", ".tiff", ".webp"}) {
     std::vector<uchar> bytes;
     cv::imencode(kind, cv::Mat3b(32, 32), bytes);
-    const std::optional<PictureHeader> header = read_picture_header(bytes);
+    const std::optional<evaluation::ImageHeader> header = evaluation::read_image_header(bytes);
     ASSERT_TRUE(header.has_value()) << kind;
     EXPECT_EQ(header->width_px, 32) << kind;
     EXPECT_EQ(header->height_px, 32) << kind;
@@ -139,9 +139,10 @@ TEST_F(HostileInput, FloatingPointPixelsAreSaidToBeThat) {
 }
 
 TEST_F(HostileInput, SixteenBitsAreScaledAndAlphaIsDropped) {
-  const cv::Mat3b deep = read_any_picture(write(cv::Mat1w(32, 32, ushort{200 * 257})));
+  const cv::Mat3b deep = evaluation::read_any_image(write(cv::Mat1w(32, 32, ushort{200 * 257})));
   EXPECT_EQ(deep(5, 5), cv::Vec3b::all(200));
-  const cv::Mat3b clear = read_any_picture(write(cv::Mat4b(32, 32, cv::Vec4b(9, 8, 7, 0))));
+  const cv::Mat3b clear =
+      evaluation::read_any_image(write(cv::Mat4b(32, 32, cv::Vec4b(9, 8, 7, 0))));
   EXPECT_EQ(clear(5, 5), cv::Vec3b(9, 8, 7));
 }
 
@@ -157,12 +158,12 @@ TEST_F(HostileInput, BlackAndWhitePairsGiveAnAnswer) {
 TEST(Pfm, ReadsBothEndiansUprightAndTurnsNanToUnknown) {
   const float nan = std::numeric_limits<float>::quiet_NaN();
   std::istringstream little(pfm("Pf\n2 2\n-1.0\n", {1.0F, 2.0F, nan, 4.0F}));
-  const cv::Mat1f read = read_pfm(little, "f.pfm");
+  const cv::Mat1f read = evaluation::read_pfm(little, "f.pfm");
   EXPECT_EQ(read(1, 0), 1.0F);
   EXPECT_EQ(read(0, 1), 4.0F);
   EXPECT_EQ(read(0, 0), std::numeric_limits<float>::infinity());
   std::istringstream big(std::string("Pf\n1 1\n1.0\n") + std::string("\x3F\x80\x00\x00", 4));
-  EXPECT_EQ(read_pfm(big, "f.pfm")(0, 0), 1.0F);
+  EXPECT_EQ(evaluation::read_pfm(big, "f.pfm")(0, 0), 1.0F);
 }
 
 TEST(Pfm, RefusesWhatIsNoGreyPfm) {
@@ -176,4 +177,4 @@ TEST(Pfm, RefusesWhatIsNoGreyPfm) {
 }
 
 }  // namespace
-}  // namespace striate
+}  // namespace striate::app

@@ -1,4 +1,4 @@
-#include "app/perceive.hpp"
+#include "striate/app/perceive.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -11,9 +11,9 @@
 #include <opencv2/imgproc.hpp>
 #include <sstream>
 
-#include "base/user_error.hpp"
+#include "striate/base/user_error.hpp"
 
-namespace striate {
+namespace striate::app {
 namespace {
 
 namespace fs = std::filesystem;
@@ -99,7 +99,7 @@ class Perceive : public testing::Test {
   PerceiveOptions options_;
 };
 
-TEST_F(Perceive, WritesDepthUprightInTheLeftPicturesFrame) {
+TEST_F(Perceive, WritesDepthUprightInTheLeftImagesFrame) {
   write_pair(24, 8);
   EXPECT_EQ(perceive(options_), 0);
   const cv::Mat1f disparity = read_pfm("disparity.pfm");
@@ -129,7 +129,7 @@ TEST_F(Perceive, AKnownCameraGivesMetres) {
   options_.focal_px = 400.0;
   options_.baseline_m = 0.12;
   for (const char* setting : {"paper", "robust"}) {
-    options_.setting = setting;
+    options_.mode = setting;
     perceive(options_);
     const nlohmann::json json = read_json("obstacles.json");
     EXPECT_EQ(json["unit"], "m");
@@ -159,14 +159,14 @@ TEST_F(Perceive, OneEyeGivesSaliencyAndNoDepth) {
   EXPECT_TRUE(read_json("keypoints.json")["keypoints"].is_array());
 }
 
-TEST_F(Perceive, SaysWhichPictureIsWrongAndHow) {
+TEST_F(Perceive, SaysWhichImageIsWrongAndHow) {
   write_pair(24, 8);
   const fs::path good = options_.left;
   options_.left = folder_ / "nowhere.png";
   EXPECT_THAT(error(), testing::HasSubstr("nowhere.png: no such file"));
   options_.left = folder_ / "text.png";
-  std::ofstream(options_.left) << "this is no picture";
-  EXPECT_THAT(error(), testing::HasSubstr("text.png: is no picture"));
+  std::ofstream(options_.left) << "this is no image";
+  EXPECT_THAT(error(), testing::HasSubstr("text.png: is no image"));
   options_.left = folder_;
   EXPECT_THAT(error(), testing::HasSubstr("is a folder"));
   options_.left = good;
@@ -183,7 +183,7 @@ TEST_F(Perceive, RefusesImpossibleOptions) {
   options_.width_px = 5000;
   EXPECT_THAT(error(), testing::HasSubstr("--width-px"));
   options_ = good;
-  options_.setting = "magic";
+  options_.mode = "magic";
   EXPECT_THAT(error(), testing::HasSubstr("paper or robust"));
   options_ = good;
   std::ofstream(folder_ / "file") << "x";
@@ -192,4 +192,4 @@ TEST_F(Perceive, RefusesImpossibleOptions) {
 }
 
 }  // namespace
-}  // namespace striate
+}  // namespace striate::app

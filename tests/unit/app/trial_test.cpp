@@ -9,26 +9,26 @@
 #include <fstream>
 #include <set>
 
-#include "app/place_text.hpp"
-#include "app/run_result.hpp"
-#include "app/trial/process_pool.hpp"
-#include "app/trial/trial_merge.hpp"
-#include "app/trial/trial_plan.hpp"
-#include "app/trial/trial_table.hpp"
-#include "base/files.hpp"
-#include "base/user_error.hpp"
+#include "striate/agent/run_result.hpp"
+#include "striate/app/pose_text.hpp"
+#include "striate/app/trial/process_pool.hpp"
+#include "striate/app/trial/trial_merge.hpp"
+#include "striate/app/trial/trial_plan.hpp"
+#include "striate/app/trial/trial_table.hpp"
+#include "striate/base/files.hpp"
+#include "striate/base/user_error.hpp"
 
-namespace striate {
+namespace striate::app {
 namespace {
 
 using testing::HasSubstr;
 
-RunResult run(const std::string& world, std::uint64_t seed, bool success) {
-  RunResult result;
+agent::RunResult run(const std::string& world, std::uint64_t seed, bool success) {
+  agent::RunResult result;
   result.world = "config/worlds/" + world + ".yaml";
   result.task = "t.yaml";
   result.seed = seed;
-  result.outcome = success ? RunOutcome::success : RunOutcome::collision;
+  result.outcome = success ? agent::RunOutcome::success : agent::RunOutcome::collision;
   result.distance_m = 57.0;
   result.duration_s = 150.0;
   if (!success) result.collisions.push_back({12.5, 3.25, -0.5, "table_1", 0.1, false});
@@ -55,12 +55,12 @@ TEST(TrialTable, CountsSuccessesAndCausesByWorld) {
 }
 
 TEST(TrialTable, GivesABaselineRowsOfItsOwn) {
-  RunResult other = run("corridor_a", 1, false);
+  agent::RunResult other = run("corridor_a", 1, false);
   other.baseline = "sgbm";
-  RunResult other_b = run("corridor_b", 1, true);
+  agent::RunResult other_b = run("corridor_b", 1, true);
   other_b.baseline = "sgbm";
-  const std::vector<RunResult> all = {run("corridor_a", 1, true), run("corridor_b", 1, true), other,
-                                      other_b};
+  const std::vector<agent::RunResult> all = {run("corridor_a", 1, true), run("corridor_b", 1, true),
+                                             other, other_b};
   const std::string table = trial_table(all);
   EXPECT_THAT(table, HasSubstr("| corridor_a | 1 / 1 |"));
   EXPECT_THAT(table, HasSubstr("| corridor_a, sgbm | 0 / 1 |"));
@@ -70,7 +70,7 @@ TEST(TrialTable, GivesABaselineRowsOfItsOwn) {
 }
 
 TEST(TrialTable, SaysWhyARunStoodLong) {
-  RunResult stood = run("corridor_a", 2, true);
+  agent::RunResult stood = run("corridor_a", 2, true);
   stood.longest_stand_s = 31.0;
   stood.longest_stand_why = "waits: something moves ahead";
   EXPECT_THAT(trial_table({run("corridor_a", 1, true), stood}),
@@ -79,7 +79,7 @@ TEST(TrialTable, SaysWhyARunStoodLong) {
 }
 
 TEST(TrialTable, GivesACommandThatRepeatsEachFailedRun) {
-  RunResult failed = run("corridor_a", 2, false);
+  agent::RunResult failed = run("corridor_a", 2, false);
   failed.emergency_layer = false;
   const std::string text = replay_commands({run("corridor_a", 1, true), failed}, "r.yaml");
   EXPECT_THAT(text, HasSubstr("striate run t.yaml --world config/worlds/corridor_a.yaml --seed 2 "
@@ -105,9 +105,9 @@ TEST(TrialPlan, ShardsShareAllRunsAndEachHasItsPartOfEveryWorld) {
 
 TEST(TrialMerge, JoinsFoldersAndRefusesWhatDoesNotBelongTogether) {
   const std::string base = testing::TempDir() + "merge_" + std::to_string(getpid());
-  const auto put = [&](const std::string& folder, const RunResult& result) {
+  const auto put = [&](const std::string& folder, const agent::RunResult& result) {
     write_file(fmt::format("{}/{}/runs/{}.json", base, folder, result.seed),
-               to_json(result).dump());
+               agent::to_json(result).dump());
   };
   put("1", run("corridor_a", 1, true));
   put("2", run("corridor_a", 2, false));
@@ -115,8 +115,8 @@ TEST(TrialMerge, JoinsFoldersAndRefusesWhatDoesNotBelongTogether) {
   EXPECT_EQ(merge_trials({base + "/1", base + "/2"}, base + "/all"), 0);
   EXPECT_THAT(testing::internal::GetCapturedStdout(), HasSubstr("| corridor_a | 1 / 2 | 50 % |"));
   EXPECT_TRUE(std::filesystem::exists(base + "/all/runs.csv"));
-  RunResult lost = run("corridor_a", 5, false);
-  lost.outcome = RunOutcome::lost;
+  agent::RunResult lost = run("corridor_a", 5, false);
+  lost.outcome = agent::RunOutcome::lost;
   put("5", lost);
   testing::internal::CaptureStdout();
   testing::internal::CaptureStderr();
@@ -125,7 +125,7 @@ TEST(TrialMerge, JoinsFoldersAndRefusesWhatDoesNotBelongTogether) {
   EXPECT_THAT(testing::internal::GetCapturedStderr(),
               testing::AllOf(HasSubstr("3 runs are not in the table"), HasSubstr("seed 4")));
   EXPECT_THROW(merge_trials({base + "/nowhere"}, base + "/all"), UserError);
-  RunResult other = run("corridor_a", 3, true);
+  agent::RunResult other = run("corridor_a", 3, true);
   other.emergency_layer = !other.emergency_layer;
   put("3", other);
   EXPECT_THROW(merge_trials({base + "/1", base + "/3"}, base + "/all"), UserError);
@@ -135,14 +135,15 @@ TEST(TrialMerge, JoinsFoldersAndRefusesWhatDoesNotBelongTogether) {
 }
 
 TEST(RunResult, JsonRoundTripKeepsEverything) {
-  RunResult result = run("corridor_b", 7, false);
+  agent::RunResult result = run("corridor_b", 7, false);
   result.reason = "a \"quoted\" reason";
   result.emergency_layer = false;
   result.longest_stand_why = "looks round for a gap";
-  const RunResult back = run_result_from_json(nlohmann::json::parse(to_json(result).dump()));
-  EXPECT_EQ(to_json(back).dump(), to_json(result).dump());
+  const agent::RunResult back =
+      agent::run_result_from_json(nlohmann::json::parse(agent::to_json(result).dump()));
+  EXPECT_EQ(agent::to_json(back).dump(), agent::to_json(result).dump());
   EXPECT_EQ(back.longest_stand_why, "looks round for a gap");
-  EXPECT_THROW((void)run_result_from_json(nlohmann::json::parse("{\"outcome\": 3}")),
+  EXPECT_THROW((void)agent::run_result_from_json(nlohmann::json::parse("{\"outcome\": 3}")),
                std::runtime_error);
 }
 
@@ -213,17 +214,17 @@ TEST(ProcessPool, CancellingEndsTheRunningAndStartsNoMore) {
   EXPECT_EQ(ends, 2);
 }
 
-TEST(PlaceText, ReadsPlacesAndRefusesOthers) {
-  const Pose2 place = parse_place("12 m, 20 cm, 5 deg");
+TEST(PoseText, ReadsPlacesAndRefusesOthers) {
+  const Pose2 place = parse_pose("12 m, 20 cm, 5 deg");
   EXPECT_DOUBLE_EQ(place.x_m, 12.0);
   EXPECT_DOUBLE_EQ(place.y_m, 0.2);
   EXPECT_NEAR(degrees(place.heading_rad), 5.0, 1e-9);
-  EXPECT_DOUBLE_EQ(parse_place("1 m, -0.5 m").y_m, -0.5);
+  EXPECT_DOUBLE_EQ(parse_pose("1 m, -0.5 m").y_m, -0.5);
   for (const char* text :
        {"", "12", "12 m", "12 m, 3", "1 m, 2 m, 3 m", "1 m, 2 m, 3 deg, 4", "]"}) {
-    EXPECT_THROW((void)parse_place(text), UserError) << text;
+    EXPECT_THROW((void)parse_pose(text), UserError) << text;
   }
 }
 
 }  // namespace
-}  // namespace striate
+}  // namespace striate::app

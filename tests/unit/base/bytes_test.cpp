@@ -1,4 +1,4 @@
-#include "base/bytes.hpp"
+#include "striate/base/bytes.hpp"
 
 #include <gtest/gtest.h>
 

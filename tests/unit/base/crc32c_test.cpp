@@ -1,11 +1,11 @@
-#include "base/crc32c.hpp"
+#include "striate/base/crc32c.hpp"
 
 #include <gtest/gtest.h>
 
 #include <string>
 #include <vector>
 
-#include "base/crc_table.hpp"
+#include "striate/base/crc_table.hpp"
 
 namespace striate {
 namespace {

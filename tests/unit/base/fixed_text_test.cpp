@@ -1,10 +1,10 @@
-#include "base/fixed_text.hpp"
+#include "striate/base/fixed_text.hpp"
 
 #include <gtest/gtest.h>
 
 #include <string>
 
-#include "base/format_text.hpp"
+#include "striate/base/format_text.hpp"
 
 namespace striate {
 namespace {

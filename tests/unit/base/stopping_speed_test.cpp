@@ -1,4 +1,4 @@
-#include "base/stopping_speed.hpp"
+#include "striate/base/stopping_speed.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
-#include "behaviours/arbiter.hpp"
+#include "striate/behaviours/control/arbiter.hpp"
 
 #include <gtest/gtest.h>
 
 #include "tests/reference/looks.hpp"
 
-namespace striate {
+namespace striate::behaviours {
 namespace {
 
 using looks::at_ms;
@@ -69,4 +69,4 @@ TEST(Arbiter, AnOwnerThatFallsSilentGivesWayToTheNext) {
 }
 
 }  // namespace
-}  // namespace striate
+}  // namespace striate::behaviours

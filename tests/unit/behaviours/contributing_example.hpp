@@ -2,11 +2,11 @@
 
 #include <cmath>
 
-#include "behaviours/behaviour.hpp"
-#include "config/settings.hpp"
-#include "platform/interface/robot.hpp"
+#include "striate/behaviours/control/behaviour.hpp"
+#include "striate/config/settings.hpp"
+#include "striate/platform/interface/robot.hpp"
 
-namespace striate {
+namespace striate::behaviours {
 
 struct NodSettings {
   double tilt_rad = 0.2;
@@ -26,8 +26,8 @@ class Nod final : public Behaviour {
   static constexpr const char* kMain = "for";  // `- nod: 3 s` is short for `- nod: {for: 3 s}`
 
   Nod(const Settings& settings, const RobotDescription& /*robot*/) : settings_(settings) {}
-  void start(const ShortTermMemory& memory) override { began_ = memory.now(); }
-  Wish tick(const ShortTermMemory& memory) override {
+  void start(const memory::ShortTermMemory& memory) override { began_ = memory.now(); }
+  Wish tick(const memory::ShortTermMemory& memory) override {
     const double t_s = to_seconds(memory.now() - began_);
     if (t_s > settings_.for_s) return final_wish(memory, Progress::succeeded, "nodded");
     Wish wish = standing_wish(memory, "nods");
@@ -43,4 +43,4 @@ class Nod final : public Behaviour {
   TimePoint began_;
 };
 
-}  // namespace striate
+}  // namespace striate::behaviours

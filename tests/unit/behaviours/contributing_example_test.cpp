@@ -6,10 +6,11 @@
 #include <fstream>
 #include <sstream>
 
-#include "behaviours/registry.hpp"
+#include "striate/behaviours/registry.hpp"
+#include "striate/config/yaml.hpp"
 #include "tests/reference/flat_run.hpp"
 
-namespace striate {
+namespace striate::behaviours {
 namespace {
 
 std::string content(const std::string& file) {
@@ -40,11 +41,11 @@ TEST(ContributingExample, StandsInTheGuideAsItIsCompiledHere) {
 TEST(ContributingExample, IsRegisteredWithOneLineAndNods) {
   const BehaviourEntry entry = behaviour_entry<Nod>("nod", "moves the head up and down");
   EXPECT_EQ(entry.parameters().size(), 2U);
-  config::Mistakes mistakes("t.yaml");
-  const config::Node root = config::parse_yaml("nod: 1.5 s\n", mistakes);
+  config::Diagnostics diagnostics("t.yaml");
+  const config::Node root = config::parse_yaml("nod: 1.5 s\n", diagnostics);
   flat::Loop loop({}, 1);
-  const auto nod = entry.make(root.entries.front().value, mistakes, loop.robot);
-  ASSERT_TRUE(mistakes.none()) << mistakes.text();
+  const auto nod = entry.make(root.entries.front().value, diagnostics, loop.robot);
+  ASSERT_TRUE(diagnostics.none()) << diagnostics.text();
   double highest_rad = -1.0;
   double lowest_rad = 1.0;
   const flat::RunResult result = loop.run(*nod, 10.0, [&](const Wish& wish) {
@@ -57,4 +58,4 @@ TEST(ContributingExample, IsRegisteredWithOneLineAndNods) {
 }
 
 }  // namespace
-}  // namespace striate
+}  // namespace striate::behaviours

@@ -1,12 +1,12 @@
-#include "behaviours/explore.hpp"
+#include "striate/behaviours/explore.hpp"
 
 #include <gtest/gtest.h>
 
-#include "behaviours/return_to_start.hpp"
+#include "striate/behaviours/return_to_start.hpp"
 #include "tests/reference/flat_layouts.hpp"
 #include "tests/reference/flat_run.hpp"
 
-namespace striate {
+namespace striate::behaviours {
 namespace {
 
 /// Along x to 10 m, then to the left to y = 9 m; 2.4 m wide, shut at both ends.
@@ -50,7 +50,7 @@ TEST(Explore, TheWayBackGoesRoundTheBendToo) {
 
 TEST(FrontierFinder, FindsNothingOnceAllIsKnownOrAvoided) {
   const RobotDescription robot;
-  LocalGrid grid;
+  memory::LocalGrid grid;
   FloorField field;
   FrontierFinder finder(robot);
   finder.forget();
@@ -75,4 +75,4 @@ TEST(FrontierFinder, FindsNothingOnceAllIsKnownOrAvoided) {
 }
 
 }  // namespace
-}  // namespace striate
+}  // namespace striate::behaviours

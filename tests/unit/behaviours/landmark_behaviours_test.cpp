@@ -1,14 +1,14 @@
 #include <gtest/gtest.h>
 
-#include "behaviours/approach_landmark.hpp"
-#include "behaviours/go_to.hpp"
-#include "behaviours/return_to_start.hpp"
-#include "behaviours/seek_landmark.hpp"
-#include "behaviours/traverse_corridor.hpp"
+#include "striate/behaviours/approach_landmark.hpp"
+#include "striate/behaviours/go_to.hpp"
+#include "striate/behaviours/return_to_start.hpp"
+#include "striate/behaviours/seek_landmark.hpp"
+#include "striate/behaviours/traverse_corridor.hpp"
 #include "tests/reference/flat_landmarks.hpp"
 #include "tests/reference/flat_layouts.hpp"
 
-namespace striate {
+namespace striate::behaviours {
 namespace {
 
 /// A corridor from -1.5 to `end_m`, shut at both ends.
@@ -56,7 +56,7 @@ TEST(SeekLandmark, FindsABookBesideTheWallOnEitherSide) {
     const flat::RunResult result = loop.run(seek, 200.0);
     EXPECT_EQ(result.progress, Progress::succeeded) << result.why;
     EXPECT_FALSE(result.touched);
-    const LandmarkInMind* found = loop.memory.landmarks().find("book");
+    const memory::LandmarkInMind* found = loop.memory.landmarks().find("book");
     ASSERT_NE(found, nullptr);
     EXPECT_TRUE(found->confirmed);
   }
@@ -100,7 +100,7 @@ TEST(ApproachLandmark, StopsBeforeItAndFacesIt) {
     EXPECT_FALSE(result.touched) << "seed " << seed;
     EXPECT_LT(away_m(loop, book.at), 1.25) << "seed " << seed;
     EXPECT_GT(away_m(loop, book.at), 0.55) << "seed " << seed;
-    const Point2 seen = to_inner(loop.world.pose(), book.at);
+    const Point2 seen = inverse_transform(loop.world.pose(), book.at);
     EXPECT_LT(std::abs(std::atan2(seen.y_m, seen.x_m)), 0.25) << "seed " << seed;
   }
 }
@@ -159,4 +159,4 @@ TEST(ReturnToStart, ComesBackThoughSomethingNewStandsInTheWay) {
 }
 
 }  // namespace
-}  // namespace striate
+}  // namespace striate::behaviours

@@ -2,12 +2,12 @@
 
 #include <cmath>
 
-#include "behaviours/floor_field.hpp"
-#include "behaviours/footprint.hpp"
-#include "behaviours/path_planner.hpp"
-#include "behaviours/steering.hpp"
+#include "striate/behaviours/control/floor_field.hpp"
+#include "striate/behaviours/control/footprint.hpp"
+#include "striate/behaviours/navigation/path_planner.hpp"
+#include "striate/behaviours/navigation/steering.hpp"
 
-namespace striate {
+namespace striate::behaviours {
 namespace {
 
 constexpr double kHalfWidth_m = 0.2125;
@@ -16,14 +16,14 @@ class Planning : public testing::Test {
  protected:
   void SetUp() override { fill(-1.0, 5.0, -1.15, 1.15, -2.0F); }
   void fill(double x0, double x1, double y0, double y1, float evidence) {
-    const GridCell a = LocalGrid::cell_of({x0, y0});
-    const GridCell b = LocalGrid::cell_of({x1, y1});
+    const memory::GridCell a = memory::LocalGrid::cell_of({x0, y0});
+    const memory::GridCell b = memory::LocalGrid::cell_of({x1, y1});
     for (int y = a.y; y <= b.y; ++y) {
       for (int x = a.x; x <= b.x; ++x) grid.add({x, y}, evidence, {});
     }
   }
   void box(double x0, double x1, double y0, double y1) { fill(x0, x1, y0, y1, 7.0F); }
-  const Way& plan(double wanted_left_m = 0.0) {
+  const Path& plan(double wanted_left_m = 0.0) {
     field.update(grid);
     PlanRequest request;
     request.half_width_m = kHalfWidth_m;
@@ -32,7 +32,7 @@ class Planning : public testing::Test {
     request.half_corridor_m = 1.2;
     return planner.plan(field, {}, request);
   }
-  static double y_at(const Way& way, double x_m) {
+  static double y_at(const Path& way, double x_m) {
     double best = 1e9;
     double y_m = 0.0;
     for (std::size_t i = 0; i < way.count; ++i) {
@@ -42,7 +42,7 @@ class Planning : public testing::Test {
     }
     return y_m;
   }
-  LocalGrid grid;
+  memory::LocalGrid grid;
   FloorField field;
   PathPlanner planner;
 };
@@ -54,28 +54,28 @@ TEST_F(Planning, TheFieldTellsDistancesToEdges) {
   EXPECT_EQ(field.clearance_m({2.1, 0.0}), 0.0);
   EXPECT_NEAR(field.seen_clearance_m({1.0, 0.85}), 0.3, 0.06);
   EXPECT_EQ(field.seen_clearance_m({1.0, 1.5}), 0.0);
-  EXPECT_EQ(field.state({1.0, 1.5}), FloorState::unknown);
+  EXPECT_EQ(field.state({1.0, 1.5}), memory::CellState::unknown);
 }
 
 TEST_F(Planning, ASpeckIsNoObstacleUnlessItsEvidenceIsStrong) {
-  const GridCell speck = LocalGrid::cell_of({2.0, 0.0});
+  const memory::GridCell speck = memory::LocalGrid::cell_of({2.0, 0.0});
   grid.add(speck, 4.0F, {});  // 2.0
   field.update(grid);
   EXPECT_GT(field.clearance_m({2.0, 0.0}), 0.5);
   grid.add(speck, 1.4F, {});
   field.update(grid);
-  EXPECT_EQ(field.clearance_m(LocalGrid::centre_of(speck)), 0.0);
+  EXPECT_EQ(field.clearance_m(memory::LocalGrid::centre_of(speck)), 0.0);
 }
 
 TEST_F(Planning, AnEmptyCorridorIsDrivenStraight) {
-  const Way& way = plan();
+  const Path& way = plan();
   ASSERT_TRUE(way.found && way.reaches_far);
   for (std::size_t i = 0; i < way.count; ++i) EXPECT_NEAR(way.points[i].y_m, 0.0, 0.05);
 }
 
 TEST_F(Planning, GoesRoundABoxOnTheRoomierSide) {
   box(2.0, 2.4, -1.2, 0.1);
-  const Way& way = plan();
+  const Path& way = plan();
   ASSERT_TRUE(way.reaches_far);
   EXPECT_GT(y_at(way, 2.2), 0.1 + kHalfWidth_m + 0.06);
 }
@@ -86,14 +86,14 @@ TEST_F(Planning, TakesAGapOfThreeQuartersOfAMetreAndNotOneOfHalf) {
   EXPECT_TRUE(plan().reaches_far);
   box(2.0, 2.3, 0.25, 1.4);
   box(2.0, 2.3, -1.4, -0.25);
-  const Way& way = plan();
+  const Path& way = plan();
   EXPECT_FALSE(way.reaches_far);
   EXPECT_LT(way.progress_m, 2.0);  // but it may go nearer
 }
 
 TEST_F(Planning, DoesNotEvadeOverUnknownFloorBeyondTheWalls) {
   box(2.0, 2.3, -0.9, 1.2);  // leaves 0.3 m to the right; beyond it nothing was ever seen
-  const Way& way = plan();
+  const Path& way = plan();
   if (way.reaches_far) {
     EXPECT_LT(std::abs(y_at(way, 2.15)), 1.6);
   }
@@ -135,7 +135,7 @@ TEST(FootprintTest, TellsDistanceFromTheOutline) {
 
 TEST(FootprintTest, AnArcEndsWhereManySmallStepsEnd) {
   Pose2 small{1.0, 2.0, 0.3};
-  for (int i = 0; i < 1000; ++i) small = to_outer(small, Pose2{0.0004, 0.0, 0.0006});
+  for (int i = 0; i < 1000; ++i) small = transform(small, Pose2{0.0004, 0.0, 0.0006});
   const Pose2 arc = along_arc({1.0, 2.0, 0.3}, 0.4, 0.6, 1.0);
   EXPECT_NEAR(arc.x_m, small.x_m, 1e-3);
   EXPECT_NEAR(arc.y_m, small.y_m, 1e-3);
@@ -166,4 +166,4 @@ TEST_F(Planning, SteeringTurnsOnTheSpotWhenTheWayLeadsBehind) {
 }
 
 }  // namespace
-}  // namespace striate
+}  // namespace striate::behaviours

@@ -1,4 +1,4 @@
-#include "behaviours/safety_limiter.hpp"
+#include "striate/behaviours/control/safety_limiter.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,19 +8,20 @@
 
 #include "tests/reference/looks.hpp"
 
-namespace striate {
+namespace striate::behaviours {
 namespace {
 
 class Limiter : public testing::Test {
  protected:
-  /// One cycle with fresh picture and the same wish.
-  MotorCommand cycle(double forward_m_s, double turn_rad_s, const Percept* shown = nullptr) {
+  /// One cycle with fresh image and the same wish.
+  MotorCommand cycle(double forward_m_s, double turn_rad_s,
+                     const perception::Percept* shown = nullptr) {
     ms += 100;
     senses.now = looks::at_ms(ms);
     senses.odometry.stamp = senses.now;
-    Percept percept = shown != nullptr ? *shown : looks::blank_percept(ms);
+    perception::Percept percept = shown != nullptr ? *shown : looks::blank_percept(ms);
     if (shown == nullptr) looks::see_floor(percept, 2.2, 5.0);
-    percept.stamp = looks::at_ms(ms - picture_age_ms);
+    percept.stamp = looks::at_ms(ms - image_age_ms);
     memory.update(senses, percept);
     Wish wish = standing_wish(memory, "test");
     wish.forward_m_s = forward_m_s;
@@ -30,7 +31,8 @@ class Limiter : public testing::Test {
     reason = limited.reason;
     return limited.command;
   }
-  MotorCommand settle(double forward_m_s, double turn_rad_s, const Percept* shown = nullptr) {
+  MotorCommand settle(double forward_m_s, double turn_rad_s,
+                      const perception::Percept* shown = nullptr) {
     MotorCommand command;
     for (int i = 0; i < 20; ++i) command = cycle(forward_m_s, turn_rad_s, shown);
     return command;
@@ -38,20 +40,20 @@ class Limiter : public testing::Test {
   void echo(double bearing_rad, double distance_m) {
     senses.laser.readings = {{bearing_rad, distance_m}};
   }
-  Percept thing_at(double bearing_rad, double distance_m) {
-    Percept percept = looks::blank_percept(ms, bearing_rad);
+  perception::Percept thing_at(double bearing_rad, double distance_m) {
+    perception::Percept percept = looks::blank_percept(ms, bearing_rad);
     looks::see_thing(percept, bearing_rad, 0.15, distance_m);
     return percept;
   }
 
   RobotDescription robot;
-  ShortTermMemory memory{{}, robot};
+  memory::ShortTermMemory memory{{}, robot};
   SafetyLimiterSettings settings;
   SafetyLimiter limiter{settings, robot};
   Senses senses;
   LimitReason reason = LimitReason::none;  ///< of the last cycle
   int ms = 0;
-  int picture_age_ms = 100;
+  int image_age_ms = 100;
   int wish_age_ms = 0;
 };
 
@@ -83,25 +85,25 @@ TEST_F(Limiter, GathersSpeedNoFasterThanTheBodyMay) {
   EXPECT_EQ(cycle(0.0, 0.0).forward_m_s, 0.0);  // a stop is never delayed
 }
 
-TEST_F(Limiter, AnOldPictureSlowsThenStops) {
+TEST_F(Limiter, AnOldImageSlowsThenStops) {
   settle(0.4, 0.0);
-  picture_age_ms = 240;
+  image_age_ms = 240;
   EXPECT_NEAR(settle(0.4, 0.0).forward_m_s, 0.4, 1e-9);
-  picture_age_ms = 400;
+  image_age_ms = 400;
   const double slowed = settle(0.4, 0.0).forward_m_s;
   EXPECT_LT(slowed, 0.3);
   EXPECT_GT(slowed, 0.05);
-  picture_age_ms = 510;
+  image_age_ms = 510;
   cycle(0.4, 0.5);
   const MotorCommand command = cycle(0.4, 0.5);
   EXPECT_EQ(command.forward_m_s, 0.0);
   EXPECT_EQ(command.turn_rad_s, 0.0);
-  EXPECT_EQ(reason, LimitReason::picture_old);
+  EXPECT_EQ(reason, LimitReason::image_old);
 }
 
-TEST_F(Limiter, StandsBeforeTheFirstPicture) {
+TEST_F(Limiter, StandsBeforeTheFirstImage) {
   Senses blind = looks::senses_at(100, {});
-  memory.update(blind, Percept{});
+  memory.update(blind, perception::Percept{});
   Wish wish = standing_wish(memory, "test");
   wish.forward_m_s = 0.3;
   EXPECT_EQ(limiter.limit(wish, blind, memory).command.forward_m_s, 0.0);
@@ -140,11 +142,11 @@ TEST_F(Limiter, DoesNotCreepUpToAnEcho) {
       const Footprint footprint(robot);
       double nearest_m = 1.0;
       for (int k = 0; k < 600; ++k) {
-        const Point2 seen = to_inner(pose, thing);
+        const Point2 seen = inverse_transform(pose, thing);
         echo(std::atan2(seen.y_m, seen.x_m), std::hypot(seen.x_m, seen.y_m));
         const MotorCommand command = cycle(forward_m_s, turn_rad_s);
         pose = along_arc(pose, command.forward_m_s, command.turn_rad_s, 0.1);
-        nearest_m = std::min(nearest_m, footprint.distance_m(to_inner(pose, thing)));
+        nearest_m = std::min(nearest_m, footprint.distance_m(inverse_transform(pose, thing)));
       }
       EXPECT_GT(nearest_m, 0.005) << forward_m_s << " m/s, " << turn_rad_s << " rad/s";
     }
@@ -173,14 +175,14 @@ TEST_F(Limiter, WithTheEmergencyLayerOffEchoesDoNothing) {
 TEST_F(Limiter, WhatMemoryHoldsStopsTheRobotAlsoWithoutTheEmergencyLayer) {
   settings.emergency_layer = false;
   limiter = SafetyLimiter(settings, robot);
-  const Percept wall = thing_at(0.0, 0.30);
+  const perception::Percept wall = thing_at(0.0, 0.30);
   EXPECT_LT(settle(0.4, 0.0, &wall).forward_m_s, 0.02);
   EXPECT_EQ(reason, LimitReason::memory_stop);
   EXPECT_EQ(limiter.emergency_stops(), 0);
 }
 
 TEST_F(Limiter, TheRobotMayAlwaysBackAwayAndTurnAway) {
-  const Percept wall = thing_at(0.0, 0.30);
+  const perception::Percept wall = thing_at(0.0, 0.30);
   settle(0.0, 0.0, &wall);
   EXPECT_NEAR(settle(-0.2, 0.0, &wall).forward_m_s, -0.2, 1e-9);
 }
@@ -239,4 +241,4 @@ TEST_F(Limiter, NonsenseIsNoMotion) {
 }
 
 }  // namespace
-}  // namespace striate
+}  // namespace striate::behaviours

@@ -1,19 +1,19 @@
 #include <gtest/gtest.h>
 
-#include "behaviours/back_up.hpp"
-#include "behaviours/behind.hpp"
-#include "behaviours/drive_straight.hpp"
-#include "behaviours/look_around.hpp"
-#include "behaviours/look_at.hpp"
-#include "behaviours/registry.hpp"
-#include "behaviours/say.hpp"
-#include "behaviours/stop.hpp"
-#include "behaviours/turn_to.hpp"
-#include "behaviours/wait.hpp"
+#include "striate/behaviours/back_up.hpp"
+#include "striate/behaviours/drive_straight.hpp"
+#include "striate/behaviours/look_around.hpp"
+#include "striate/behaviours/look_at.hpp"
+#include "striate/behaviours/navigation/behind.hpp"
+#include "striate/behaviours/registry.hpp"
+#include "striate/behaviours/say.hpp"
+#include "striate/behaviours/stop.hpp"
+#include "striate/behaviours/turn_to.hpp"
+#include "striate/behaviours/wait.hpp"
 #include "tests/reference/flat_run.hpp"
 #include "tests/reference/looks.hpp"
 
-namespace striate {
+namespace striate::behaviours {
 namespace {
 
 flat::Layout open_floor() {
@@ -69,10 +69,10 @@ TEST(BackUp, WithKnownFloorGoesBackWhereItCameFrom) {
   EXPECT_NEAR(loop.world.pose().x_m, from_m - 0.5, 0.04);
 }
 
-// Without pictures only the way that was driven is known.
+// Without images only the way that was driven is known.
 TEST(FreeBehind, IsTheWayThatWasDrivenAndEndsWhereTheRobotTurnedFromIt) {
   const RobotDescription robot;
-  ShortTermMemory memory({}, robot);
+  memory::ShortTermMemory memory({}, robot);
   int ms = 0;
   for (double x_m = 0.0; x_m <= 0.6; x_m += 0.03) {
     memory.update(looks::senses_at(ms += 100, {x_m, 0.0, 0.0}), {});
@@ -150,9 +150,9 @@ TEST(LookAt, FailsWhereNothingIsSalient) {
 
 TEST(LookAt, FollowsTheMostSalientRegionOfMemory) {
   const RobotDescription robot;
-  ShortTermMemory memory({}, robot);
+  memory::ShortTermMemory memory({}, robot);
   Senses senses;
-  Percept percept;
+  perception::Percept percept;
   LookAt look({.target = LookAt::Target::salient, .for_s = 0.5}, robot);
   Wish wish;
   for (int i = 1; i < 40; ++i) {
@@ -188,17 +188,19 @@ TEST(LookAround, SeesWhatStandsBesideTheView) {
   flat::Layout layout = open_floor();
   flat::add_box(layout, {1.3, 1.8}, 0.5, 0.5, 0.0, 0.0, 1.0);
   flat::Loop loop(layout, 1);
-  const auto known = [&loop] { return loop.memory.map().state(LocalGrid::cell_of({1.15, 1.52})); };
+  const auto known = [&loop] {
+    return loop.memory.map().state(memory::LocalGrid::cell_of({1.15, 1.52}));
+  };
   LookAround look({.pan_rad = radians(60.0), .dwell_s = 0.7}, loop.robot);
   loop.cycle(look, "look_around");
   loop.cycle(look, "look_around");
-  EXPECT_EQ(known(), FloorState::unknown);
+  EXPECT_EQ(known(), memory::CellState::unknown);
   Wish wish;
   for (int i = 0; i < 300 && wish.progress == Progress::running; ++i) {
     wish = loop.cycle(look, "look_around");
   }
   EXPECT_EQ(wish.progress, Progress::succeeded);
-  EXPECT_EQ(known(), FloorState::occupied);
+  EXPECT_EQ(known(), memory::CellState::occupied);
   EXPECT_NEAR(loop.world.head().pan_rad, 0.0, 0.06);
   EXPECT_NEAR(loop.world.pose().x_m, 0.0, 1e-9);
 }
@@ -221,20 +223,20 @@ TEST(BehaviourRegistry, HasEveryBehaviourWithHelpAndDefaults) {
     const BehaviourEntry* entry = find_behaviour(name);
     ASSERT_NE(entry, nullptr) << name;
     EXPECT_FALSE(entry->help.empty());
-    config::Mistakes mistakes("test");
-    EXPECT_NE(entry->make({}, mistakes, {}), nullptr);
-    EXPECT_TRUE(mistakes.none()) << mistakes.text();
+    config::Diagnostics diagnostics("test");
+    EXPECT_NE(entry->make({}, diagnostics, {}), nullptr);
+    EXPECT_TRUE(diagnostics.none()) << diagnostics.text();
   }
   EXPECT_EQ(find_behaviour("fly"), nullptr);
 }
 
 TEST(BehaviourRegistry, ReadsArgumentsAndReportsWrongOnes) {
-  config::Mistakes mistakes("test");
+  config::Diagnostics diagnostics("test");
   const BehaviourEntry* entry = find_behaviour("traverse_corridor");
-  entry->make(map_of({{"speed", "0.4 m/s"}, {"keep", "left"}}), mistakes, {});
-  EXPECT_TRUE(mistakes.none()) << mistakes.text();
-  entry->make(map_of({{"sped", "0.4 m/s"}, {"keep", "up"}, {"speed", "4"}}), mistakes, {});
-  EXPECT_EQ(mistakes.list().size(), 3U) << mistakes.text();
+  entry->make(map_of({{"speed", "0.4 m/s"}, {"keep", "left"}}), diagnostics, {});
+  EXPECT_TRUE(diagnostics.none()) << diagnostics.text();
+  entry->make(map_of({{"sped", "0.4 m/s"}, {"keep", "up"}, {"speed", "4"}}), diagnostics, {});
+  EXPECT_EQ(diagnostics.list().size(), 3U) << diagnostics.text();
 }
 
 TEST(BehaviourRegistry, ListsItsParameters) {
@@ -245,4 +247,4 @@ TEST(BehaviourRegistry, ListsItsParameters) {
 }
 
 }  // namespace
-}  // namespace striate
+}  // namespace striate::behaviours

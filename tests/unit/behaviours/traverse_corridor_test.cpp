@@ -1,15 +1,15 @@
-#include "behaviours/traverse_corridor.hpp"
+#include "striate/behaviours/traverse_corridor.hpp"
 
 #include <gtest/gtest.h>
 
 #include <numbers>
 
-#include "behaviours/avoid.hpp"
-#include "behaviours/turn_to.hpp"
+#include "striate/behaviours/avoid.hpp"
+#include "striate/behaviours/turn_to.hpp"
 #include "tests/reference/flat_layouts.hpp"
 #include "tests/reference/flat_run.hpp"
 
-namespace striate {
+namespace striate::behaviours {
 namespace {
 
 flat::Layout plain_corridor(double length_m) {
@@ -154,14 +154,14 @@ TEST(TraverseCorridor, CreepsOverFloorItCannotSeeInsteadOfFreezing) {
   EXPECT_LT(fastest, 0.25);
 }
 
-TEST(TraverseCorridor, StandsWhenPicturesStopComing) {
+TEST(TraverseCorridor, StandsWhenImagesStopComing) {
   flat::Loop loop(plain_corridor(20.0), 9);
   TraverseCorridor behaviour({}, loop.robot);
   for (int i = 0; i < 120; ++i) loop.cycle(behaviour, "traverse_corridor");
   ASSERT_GT(loop.world.forward_m_s(), 0.3);
   loop.camera_off = true;
   for (int i = 0; i < 12; ++i) loop.cycle(behaviour, "traverse_corridor");
-  EXPECT_EQ(loop.limited.reason, LimitReason::picture_old);
+  EXPECT_EQ(loop.limited.reason, LimitReason::image_old);
   EXPECT_NEAR(loop.world.forward_m_s(), 0.0, 1e-6);
 }
 
@@ -200,4 +200,4 @@ TEST(Avoid, GoesRoundAndSucceedsWhenTheWayIsOpen) {
 }
 
 }  // namespace
-}  // namespace striate
+}  // namespace striate::behaviours

@@ -1,17 +1,17 @@
-#include "behaviours/view_angles.hpp"
+#include "striate/behaviours/view_angles.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "behaviours/look_around.hpp"
-#include "behaviours/look_at.hpp"
-#include "behaviours/registry.hpp"
-#include "behaviours/traverse_corridor.hpp"
+#include "striate/behaviours/look_around.hpp"
+#include "striate/behaviours/look_at.hpp"
+#include "striate/behaviours/registry.hpp"
+#include "striate/behaviours/traverse_corridor.hpp"
 #include "tests/reference/flat_layouts.hpp"
 #include "tests/reference/flat_run.hpp"
 
-namespace striate {
+namespace striate::behaviours {
 namespace {
 
 RobotDescription with_view(double degrees_wide, double camera_height_m = 1.2) {
@@ -21,7 +21,7 @@ RobotDescription with_view(double degrees_wide, double camera_height_m = 1.2) {
   return robot;
 }
 
-/// Where the lowest ray of a 4:3 picture meets the floor.
+/// Where the lowest ray of a 4:3 image meets the floor.
 double floor_from_m(const RobotDescription& robot, double tilt_rad) {
   const double half_rad = std::atan(0.75 * std::tan(0.5 * robot.view_rad));
   return robot.camera_height_m / std::tan(half_rad - tilt_rad);
@@ -54,17 +54,17 @@ TEST(ViewAngles, AWiderViewLetsTheHeadTurnFartherAndAWiderRobotLess) {
 TEST(ViewAngles, TheHeadRestsAsTheRobotSays) {
   RobotDescription robot;
   robot.resting_tilt_rad = -0.11;
-  const ShortTermMemory memory({}, robot);
+  const memory::ShortTermMemory memory({}, robot);
   EXPECT_EQ(standing_wish(memory, "").tilt_rad, -0.11);
-  config::Mistakes mistakes("test");
-  const auto look = find_behaviour("look_at")->make({}, mistakes, robot);
+  config::Diagnostics diagnostics("test");
+  const auto look = find_behaviour("look_at")->make({}, diagnostics, robot);
   look->start(memory);
   EXPECT_EQ(look->tick(memory).tilt_rad, -0.11);
 }
 
 TEST(ViewAngles, LookingNearGoesAsFarDownAsTheCameraNeeds) {
   const RobotDescription wide = with_view(70.0);
-  const ShortTermMemory memory({}, wide);
+  const memory::ShortTermMemory memory({}, wide);
   LookAround look({}, wide);
   look.start(memory);
   EXPECT_NEAR(floor_from_m(wide, look.tick(memory).tilt_rad), floor_from_m({}, -0.5), 1e-9);
@@ -95,4 +95,4 @@ INSTANTIATE_TEST_SUITE_P(WiderNarrowerLower, OtherCameras,
                                          Eyes{60.0, 0.9, 0.0}));
 
 }  // namespace
-}  // namespace striate
+}  // namespace striate::behaviours

@@ -1,8 +1,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "base/user_error.hpp"
-#include "config/settings.hpp"
+#include "striate/base/user_error.hpp"
+#include "striate/config/settings.hpp"
+#include "striate/config/yaml.hpp"
 
 namespace striate::config {
 namespace {
@@ -44,20 +45,20 @@ void visit(V& v, OldSettings& /*s*/) {
   v.retired("gain", "the camera says it");
 }
 
-OuterSettings read(const std::string& yaml, Mistakes& mistakes) {
+OuterSettings read(const std::string& yaml, Diagnostics& diagnostics) {
   OuterSettings settings;
-  const Node root = parse_yaml(yaml, mistakes);
-  SettingsReader reader(root, "settings", mistakes);
+  const Node root = parse_yaml(yaml, diagnostics);
+  SettingsReader reader(root, "settings", diagnostics);
   visit(reader, settings);
   reader.finish();
   return settings;
 }
 
 TEST(Settings, ReadUnitsAndSections) {
-  Mistakes mistakes("f.yaml");
-  const OuterSettings s =
-      read("count: 7\nspeed: 30 cm/s\non: true\nmode: paper\ninner: {angle: 90 deg}\n", mistakes);
-  EXPECT_TRUE(mistakes.none()) << mistakes.text();
+  Diagnostics diagnostics("f.yaml");
+  const OuterSettings s = read(
+      "count: 7\nspeed: 30 cm/s\non: true\nmode: paper\ninner: {angle: 90 deg}\n", diagnostics);
+  EXPECT_TRUE(diagnostics.none()) << diagnostics.text();
   EXPECT_EQ(s.count, 7);
   EXPECT_NEAR(s.speed_m_s, 0.3, 1e-12);
   EXPECT_TRUE(s.on);
@@ -66,16 +67,16 @@ TEST(Settings, ReadUnitsAndSections) {
 }
 
 TEST(Settings, ARetiredKeyIsAWarningAndNoMistake) {
-  Mistakes mistakes("f.yaml");
+  Diagnostics diagnostics("f.yaml");
   const std::string yaml = "gain: 3\n";
-  mistakes.set_source(yaml);
-  const Node root = parse_yaml(yaml, mistakes);
+  diagnostics.set_source(yaml);
+  const Node root = parse_yaml(yaml, diagnostics);
   OldSettings settings;
-  SettingsReader reader(root, "settings", mistakes);
+  SettingsReader reader(root, "settings", diagnostics);
   visit(reader, settings);
   reader.finish();
-  EXPECT_TRUE(mistakes.none()) << mistakes.text();
-  EXPECT_EQ(mistakes.warnings(),
+  EXPECT_TRUE(diagnostics.none()) << diagnostics.text();
+  EXPECT_EQ(diagnostics.warnings(),
             "f.yaml:1:1: warning: 'gain' has no effect any more\n"
             "    gain: 3\n"
             "    ^\n"
@@ -85,8 +86,8 @@ TEST(Settings, ARetiredKeyIsAWarningAndNoMistake) {
   EXPECT_TRUE(printer.lines().empty());
 }
 
-TEST(Settings, TellAllMistakesInOnePassWithTheirPlaces) {
-  Mistakes mistakes("f.yaml");
+TEST(Settings, TellAllDiagnosticsInOnePassWithTheirPlaces) {
+  Diagnostics diagnostics("f.yaml");
   read(
       "count: 70\n"
       "sped: 0.3 m/s\n"
@@ -95,8 +96,8 @@ TEST(Settings, TellAllMistakesInOnePassWithTheirPlaces) {
       "inner:\n"
       "  angle: 90\n"
       "  angle: 1 m\n",
-      mistakes);
-  const std::string text = mistakes.text();
+      diagnostics);
+  const std::string text = diagnostics.text();
   EXPECT_THAT(text, HasSubstr("f.yaml:1:8: error: '70' is out of range"));
   EXPECT_THAT(text, HasSubstr("f.yaml:2:1: error: unknown key 'sped'"));
   EXPECT_THAT(text, HasSubstr("did you mean 'speed'?"));
@@ -105,8 +106,8 @@ TEST(Settings, TellAllMistakesInOnePassWithTheirPlaces) {
   EXPECT_THAT(text, HasSubstr("did you mean 'paper'?"));
   EXPECT_THAT(text, HasSubstr("f.yaml:6:10: error: '90' has no unit"));
   EXPECT_THAT(text, HasSubstr("f.yaml:7:3: error: duplicate key 'angle'"));
-  EXPECT_EQ(mistakes.list().size(), 6U);
-  EXPECT_THROW(mistakes.throw_if_any(), UserError);
+  EXPECT_EQ(diagnostics.list().size(), 6U);
+  EXPECT_THROW(diagnostics.throw_if_any(), UserError);
 }
 
 TEST(Settings, PrintedSettingsReadBackTheSame) {
@@ -124,9 +125,9 @@ TEST(Settings, PrintedSettingsReadBackTheSame) {
       inner += "  " + line.key.substr(dot + 1) + ": " + line.value + "\n";
     }
   }
-  Mistakes mistakes("f.yaml");
-  const OuterSettings back = read(yaml + "inner:\n" + inner, mistakes);
-  EXPECT_TRUE(mistakes.none()) << mistakes.text();
+  Diagnostics diagnostics("f.yaml");
+  const OuterSettings back = read(yaml + "inner:\n" + inner, diagnostics);
+  EXPECT_TRUE(diagnostics.none()) << diagnostics.text();
   EXPECT_DOUBLE_EQ(back.speed_m_s, settings.speed_m_s);
   EXPECT_NEAR(back.inner.angle_rad, settings.inner.angle_rad, 1e-9);
 }
@@ -134,52 +135,52 @@ TEST(Settings, PrintedSettingsReadBackTheSame) {
 TEST(Quantity, RefusesWhatPeopleMistype) {
   for (const char* text : {"010 m", "0x10 m", ".nan m", "inf m", "1e400 m", "m", "", "'3 m'",
                            "3 parsec", "3 s", "1,5 m", "--3 m", "1 m m"}) {
-    Mistakes mistakes("f.yaml");
-    const Node root = parse_yaml(std::string("v: ") + text + "\n", mistakes);
+    Diagnostics diagnostics("f.yaml");
+    const Node root = parse_yaml(std::string("v: ") + text + "\n", diagnostics);
     const Node::Entry* entry = root.find("v");
     ASSERT_NE(entry, nullptr) << text;
-    EXPECT_FALSE(read_quantity(entry->value, Unit::length, {-1e9, 1e9}, mistakes)) << text;
-    EXPECT_EQ(mistakes.list().size(), 1U) << text << "\n" << mistakes.text();
+    EXPECT_FALSE(read_quantity(entry->value, Unit::length, {-1e9, 1e9}, diagnostics)) << text;
+    EXPECT_EQ(diagnostics.list().size(), 1U) << text << "\n" << diagnostics.text();
   }
 }
 
 TEST(Yaml, RefusesAliasBombsTagsAndDepth) {
-  Mistakes bomb("f.yaml");
+  Diagnostics bomb("f.yaml");
   parse_yaml("a: &x [1, 2]\nb: [*x, *x]\n", bomb);
   EXPECT_THAT(bomb.text(), HasSubstr("f.yaml:1:4: error: anchors"));
 
-  Mistakes tag("f.yaml");
+  Diagnostics tag("f.yaml");
   parse_yaml("a: !!binary abc\n", tag);
   EXPECT_THAT(tag.text(), HasSubstr("tags"));
 
-  Mistakes deep("f.yaml");
+  Diagnostics deep("f.yaml");
   parse_yaml(std::string(40, '[') + std::string(40, ']'), deep);
   EXPECT_THAT(deep.text(), HasSubstr("nested deeper"));
 
-  Mistakes two("f.yaml");
+  Diagnostics two("f.yaml");
   parse_yaml("a: 1\n---\nb: 2\n", two);
   EXPECT_THAT(two.text(), HasSubstr("second YAML document"));
 
-  Mistakes broken("f.yaml");
+  Diagnostics broken("f.yaml");
   parse_yaml("a: [1, 2\nb: 3\n", broken);
   EXPECT_THAT(broken.text(), HasSubstr("not readable as YAML"));
 
-  Mistakes big("f.yaml");
+  Diagnostics big("f.yaml");
   parse_yaml(std::string(1'100'000, 'a'), big);
   EXPECT_THAT(big.text(), HasSubstr("larger than 1 MB"));
 }
 
 TEST(Yaml, SaysWhichFileIsMissing) {
-  Mistakes mistakes("/nowhere/x.yaml");
-  load_yaml(mistakes);
-  EXPECT_THAT(mistakes.text(), HasSubstr("/nowhere/x.yaml: error: there is no such file"));
+  Diagnostics diagnostics("/nowhere/x.yaml");
+  load_yaml(diagnostics);
+  EXPECT_THAT(diagnostics.text(), HasSubstr("/nowhere/x.yaml: error: there is no such file"));
 }
 
-TEST(Mistakes, ShowTheLineWithACaretUnderThePlace) {
-  Mistakes mistakes("f.yaml");
-  parse_yaml("abc: 1\n  def\n", mistakes);
-  mistakes.add({1, 6}, "wrong");
-  EXPECT_THAT(mistakes.text(), HasSubstr("    abc: 1\n         ^\n"));
+TEST(Diagnostics, ShowTheLineWithACaretUnderThePlace) {
+  Diagnostics diagnostics("f.yaml");
+  parse_yaml("abc: 1\n  def\n", diagnostics);
+  diagnostics.add({1, 6}, "wrong");
+  EXPECT_THAT(diagnostics.text(), HasSubstr("    abc: 1\n         ^\n"));
 }
 
 }  // namespace

@@ -1,11 +1,11 @@
-#include "memory/corridor_memory.hpp"
+#include "striate/memory/short_term/corridor_memory.hpp"
 
 #include <gtest/gtest.h>
 
-namespace striate {
+namespace striate::memory {
 namespace {
 
-CorridorView view(double heading_rad, double left_m, double right_m) {
+perception::CorridorView view(double heading_rad, double left_m, double right_m) {
   return {true, heading_rad, left_m, right_m, 0.8};
 }
 
@@ -17,7 +17,7 @@ TEST(CorridorMemory, TheHeadingAtTheStartIsTheFirstEstimate) {
   EXPECT_NEAR(corridor.progress_m(), 0.0, 1e-9);
 }
 
-TEST(CorridorMemory, ConvergesOnWhatPicturesShow) {
+TEST(CorridorMemory, ConvergesOnWhatImagesShow) {
   CorridorMemory corridor;
   corridor.start({0.0, 0.0, 0.08});  // the robot stood askew
   for (int i = 0; i < 100; ++i) corridor.see(view(-0.08, 1.0, 1.4), {0, 0, 0.08}, {0, 0, 0.08});
@@ -27,7 +27,7 @@ TEST(CorridorMemory, ConvergesOnWhatPicturesShow) {
   EXPECT_LT(corridor.axis_std_rad(), 0.05);
 }
 
-TEST(CorridorMemory, OneOddPictureChangesNothing) {
+TEST(CorridorMemory, OneOddImageChangesNothing) {
   CorridorMemory corridor;
   corridor.start({});
   for (int i = 0; i < 60; ++i) corridor.see(view(0.0, 1.2, 1.2), {}, {});
@@ -44,7 +44,7 @@ TEST(CorridorMemory, FollowsTheDriftOfTheOdometry) {
   for (int i = 0; i < 1200; ++i) {
     const Pose2 before = odometry;
     drift += 0.0001;
-    odometry = to_outer(odometry, Pose2{0.05, 0.0, 0.0001});
+    odometry = transform(odometry, Pose2{0.05, 0.0, 0.0001});
     corridor.move(before, odometry);
     if (i % 5 == 0) corridor.see(view(0.0, 1.2, 1.2), odometry, odometry);
   }
@@ -61,7 +61,7 @@ TEST(CorridorMemory, FallsBackToOdometryAndGrowsUnsure) {
   EXPECT_NEAR(corridor.offset_m(), 0.4, 1e-3);
   EXPECT_NEAR(corridor.progress_m(), 5.0, 1e-2);
   EXPECT_GT(corridor.offset_std_m(), sure);
-  EXPECT_EQ(corridor.left_m(), kNothing_m);  // not seen for metres
+  EXPECT_EQ(corridor.left_m(), perception::kNothing_m);  // not seen for metres
 }
 
 TEST(CorridorMemory, OneWallTellsTheOffsetOnceTheWidthIsKnown) {
@@ -70,7 +70,7 @@ TEST(CorridorMemory, OneWallTellsTheOffsetOnceTheWidthIsKnown) {
   for (int i = 0; i < 60; ++i) corridor.see(view(0.0, 1.2, 1.2), {}, {});
   corridor.move({}, {1.0, 0.0, 0.0});
   for (int i = 0; i < 100; ++i) {
-    corridor.see(view(0.0, 1.0, kNothing_m), {1.0, 0, 0}, {1.0, 0, 0});
+    corridor.see(view(0.0, 1.0, perception::kNothing_m), {1.0, 0, 0}, {1.0, 0, 0});
   }
   EXPECT_NEAR(corridor.offset_m(), 0.2, 0.08);
 }
@@ -80,8 +80,8 @@ TEST(WallFitter, FindsTwoWallsInTheMap) {
   const double heading = 0.06;
   const Pose2 axis{0.0, 0.0, heading};
   for (double x = -1.0; x < 4.0; x += 0.04) {
-    grid.add(LocalGrid::cell_of(to_outer(axis, Point2{x, 1.0})), 3.0F, {});
-    grid.add(LocalGrid::cell_of(to_outer(axis, Point2{x, -1.4})), 3.0F, {});
+    grid.add(LocalGrid::cell_of(transform(axis, Point2{x, 1.0})), 3.0F, {});
+    grid.add(LocalGrid::cell_of(transform(axis, Point2{x, -1.4})), 3.0F, {});
   }
   WallFitter fitter;
   const WallFit fit = fitter.fit(grid, {}, 0.0);
@@ -118,4 +118,4 @@ TEST(WallFitter, TheEdgesOfSeenFloorStandForWallsTooPlainToSee) {
 }
 
 }  // namespace
-}  // namespace striate
+}  // namespace striate::memory

@@ -1,11 +1,11 @@
-#include "memory/familiar_landmarks.hpp"
+#include "striate/memory/short_term/familiar_landmarks.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "tests/reference/looks.hpp"
 
-namespace striate {
+namespace striate::memory {
 namespace {
 
 using looks::at_ms;
@@ -18,7 +18,7 @@ LandmarkModel model(std::int64_t id, const std::string& name, double used_before
   model.record.id = id;
   model.record.name = name;
   model.record.history = {1, 1000.0 - used_before_s, {1000.0 - used_before_s}};
-  LandmarkView view;
+  perception::LandmarkView view;
   view.width_px = view.height_px = 20.0;
   view.descriptors.resize(1);
   view.keypoints.push_back({10.0F, 10.0F, 4.0F, 0.0F});
@@ -32,13 +32,14 @@ class Looking {
   explicit Looking(std::vector<LandmarkModel> models)
       : landmarks_({std::move(models), {}, 1000.0}, {}) {}
 
-  /// One cycle with a picture in which these were recognised, 2 m ahead.
-  const std::vector<LandmarkLesson>& cycle(const std::vector<int>& recognised,
-                                           const std::vector<ExpectedLook>& expected = {}) {
+  /// One cycle with an image in which these were recognised, 2 m ahead.
+  const std::vector<LandmarkLesson>& cycle(
+      const std::vector<int>& recognised,
+      const std::vector<perception::ExpectedLook>& expected = {}) {
     ms_ += 100;
-    Percept percept = blank_percept(ms_);
+    perception::Percept percept = blank_percept(ms_);
     for (const int landmark : recognised) {
-      Recognition found{.landmark = landmark, .score = 0.7};
+      perception::Recognition found{.landmark = landmark, .score = 0.7};
       found.bearing_rad = 0.0;
       found.distance_m = 2.0;
       found.height_m = 0.9;
@@ -47,14 +48,14 @@ class Looking {
     percept.expected = expected;
     expected_ = landmarks_.expectations(memory_, pose_);
     const Senses senses = senses_at(ms_, pose_);
-    const Recognised& recognised = landmarks_.recognised(percept, senses, memory_);
-    sightings_ = recognised.sightings;
+    const Recognised& look = landmarks_.recognised(percept, senses, memory_);
+    sightings_ = look.sightings;
     memory_.update(senses, percept, sightings_);
-    return recognised.lessons;
+    return look.lessons;
   }
   void stand_at(double x_m) { pose_.x_m = x_m; }
 
-  LandmarkExpectations expected_;
+  perception::LandmarkExpectations expected_;
   ShortTermMemory memory_{{}, {}};
   FamiliarLandmarks landmarks_;
   std::vector<LandmarkSighting> sightings_;
@@ -89,8 +90,9 @@ TEST(FamiliarLandmarks, ASightingTeachesOnceItIsConfirmedAndAgainFromAnotherPlac
 
 TEST(FamiliarLandmarks, ThreeMissesInARowAreALessonHiddenOnesAreNone) {
   Looking robot({model(7, "book", 10.0)});
-  const std::vector<ExpectedLook> missed = {{0, LookResult::missed}};
-  for (int k = 0; k < 9; ++k) EXPECT_TRUE(robot.cycle({}, {{0, LookResult::hidden}}).empty());
+  const std::vector<perception::ExpectedLook> missed = {{0, perception::LookResult::missed}};
+  for (int k = 0; k < 9; ++k)
+    EXPECT_TRUE(robot.cycle({}, {{0, perception::LookResult::hidden}}).empty());
   EXPECT_TRUE(robot.cycle({}, missed).empty());
   EXPECT_TRUE(robot.cycle({}, missed).empty());
   const auto& lessons = robot.cycle({}, missed);
@@ -100,10 +102,10 @@ TEST(FamiliarLandmarks, ThreeMissesInARowAreALessonHiddenOnesAreNone) {
 
 TEST(FamiliarLandmarks, OneSightingBreaksARowOfMisses) {
   Looking robot({model(7, "book", 10.0)});
-  const std::vector<ExpectedLook> missed = {{0, LookResult::missed}};
+  const std::vector<perception::ExpectedLook> missed = {{0, perception::LookResult::missed}};
   robot.cycle({}, missed);
   robot.cycle({}, missed);
-  robot.cycle({0}, {{0, LookResult::found}});
+  robot.cycle({0}, {{0, perception::LookResult::found}});
   EXPECT_TRUE(robot.cycle({}, missed).empty());
 }
 
@@ -111,7 +113,7 @@ TEST(FamiliarLandmarks, ViewsAreLookedForMostActiveFirstByTheirPlaceInTheListOfA
   LandmarkModel two_sides = model(9, "cup", 20.0);
   two_sides.views.push_back(two_sides.views.front());
   const std::vector<LandmarkModel> models = {model(7, "book", 30.0), two_sides};
-  const std::vector<KnownView> views = views_of({models, {}, 1000.0});
+  const std::vector<perception::KnownView> views = views_of({models, {}, 1000.0});
   ASSERT_EQ(views.size(), 3U);
   EXPECT_EQ(views[0].landmark, 0);
   EXPECT_EQ(views[2].landmark, 1);
@@ -149,4 +151,4 @@ TEST(FamiliarLandmarks, KnowsNothingAndCostsNothingByDefault) {
 }
 
 }  // namespace
-}  // namespace striate
+}  // namespace striate::memory

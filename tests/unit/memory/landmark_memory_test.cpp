@@ -1,4 +1,4 @@
-#include "memory/landmark_memory.hpp"
+#include "striate/memory/short_term/landmark_memory.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 
 #include "tests/reference/looks.hpp"
 
-namespace striate {
+namespace striate::memory {
 namespace {
 
 using looks::at_ms;
@@ -28,7 +28,7 @@ TEST(LandmarkMemory, IsConfirmedByLooksThatFollowEachOther) {
   EXPECT_FALSE(memory.in_sight("book", at_ms(3600), std::chrono::milliseconds(500)));
 }
 
-TEST(LandmarkMemory, PutsALandmarkWhereItWasWhenThePictureWasTaken) {
+TEST(LandmarkMemory, PutsALandmarkWhereItWasWhenTheImageWasTaken) {
   LandmarkMemory memory({});
   const Pose2 at{1.0, 0.0, 0.0};
   memory.see({7, "book", at_ms(0), 0.8, 0.0, 2.0}, at, Pose2{2.0, 0.0, 0.1});
@@ -76,4 +76,4 @@ TEST(LandmarkMemory, CutsALongNameAndFindsItByTheWholeOne) {
 }
 
 }  // namespace
-}  // namespace striate
+}  // namespace striate::memory

@@ -1,15 +1,15 @@
-#include "memory/local_grid.hpp"
+#include "striate/memory/short_term/local_grid.hpp"
 
 #include <gtest/gtest.h>
 
-namespace striate {
+namespace striate::memory {
 namespace {
 
 const TimePoint kNow = TimePoint(std::chrono::seconds(5));
 
 TEST(LocalGrid, HoldsNothingKnownAtFirst) {
   LocalGrid grid;
-  EXPECT_EQ(grid.state({0, 0}), FloorState::unknown);
+  EXPECT_EQ(grid.state({0, 0}), CellState::unknown);
   EXPECT_EQ(grid.last_seen({0, 0}), TimePoint{});
 }
 
@@ -18,9 +18,9 @@ TEST(LocalGrid, APointStaysWhereItIsWhileTheRobotDrives) {
   const GridCell thing = LocalGrid::cell_of({3.02, -1.01});
   grid.add(thing, 3.0F, kNow);
   for (int step = 0; step <= 100; ++step) grid.centre_on({0.05 * step, 0.02 * step});
-  EXPECT_EQ(grid.state(thing), FloorState::occupied);
+  EXPECT_EQ(grid.state(thing), CellState::occupied);
   EXPECT_EQ(grid.last_seen(thing), kNow);
-  EXPECT_EQ(grid.state({thing.x + 1, thing.y}), FloorState::unknown);
+  EXPECT_EQ(grid.state({thing.x + 1, thing.y}), CellState::unknown);
 }
 
 TEST(LocalGrid, WhatComesIntoTheWindowIsUnknownNotWhatLeftIt) {
@@ -29,7 +29,7 @@ TEST(LocalGrid, WhatComesIntoTheWindowIsUnknownNotWhatLeftIt) {
   grid.centre_on({6.0, 0.0});
   EXPECT_FALSE(grid.holds({-100, 0}));
   for (int x = grid.first().x; x < grid.first().x + LocalGrid::kSide; ++x) {
-    EXPECT_EQ(grid.state({x, 0}), FloorState::unknown) << x;
+    EXPECT_EQ(grid.state({x, 0}), CellState::unknown) << x;
   }
 }
 
@@ -38,7 +38,7 @@ TEST(LocalGrid, AJumpForgetsAll) {
   grid.add({0, 0}, 3.0F, kNow);
   grid.centre_on({100.0, 0.0});
   grid.centre_on({0.0, 0.0});
-  EXPECT_EQ(grid.state({0, 0}), FloorState::unknown);
+  EXPECT_EQ(grid.state({0, 0}), CellState::unknown);
 }
 
 TEST(LocalGrid, WorksAtNegativeCoordinates) {
@@ -47,8 +47,8 @@ TEST(LocalGrid, WorksAtNegativeCoordinates) {
   const GridCell cell = LocalGrid::cell_of({-30.01, -29.99});
   EXPECT_EQ(cell, (GridCell{-601, -600}));
   grid.add(cell, 2.0F, kNow);
-  EXPECT_EQ(grid.state(cell), FloorState::occupied);
-  EXPECT_EQ(grid.state({cell.x + 1, cell.y}), FloorState::unknown);
+  EXPECT_EQ(grid.state(cell), CellState::occupied);
+  EXPECT_EQ(grid.state({cell.x + 1, cell.y}), CellState::unknown);
 }
 
 TEST(LocalGrid, MovingThingsFadeFasterThanStillOnes) {
@@ -57,14 +57,14 @@ TEST(LocalGrid, MovingThingsFadeFasterThanStillOnes) {
   grid.add({2, 2}, 3.0F, kNow);
   grid.set_moving({2, 2}, 1.0F);
   for (int i = 0; i < 6; ++i) grid.fade({0.99F, 0.99F, 0.8F});
-  EXPECT_EQ(grid.state({1, 1}), FloorState::occupied);
-  EXPECT_EQ(grid.state({2, 2}), FloorState::unknown);
+  EXPECT_EQ(grid.state({1, 1}), CellState::occupied);
+  EXPECT_EQ(grid.state({2, 2}), CellState::unknown);
 }
 
 TEST(LocalGrid, ASpeckStandsOnlyWithStrongEvidence) {
   LocalGrid grid;
   grid.add({5, 5}, 2.0F, kNow);
-  EXPECT_EQ(grid.state({5, 5}), FloorState::occupied);
+  EXPECT_EQ(grid.state({5, 5}), CellState::occupied);
   EXPECT_FALSE(grid.stands({5, 5}));
   grid.add({5, 5}, 1.2F, kNow);
   EXPECT_TRUE(grid.stands({5, 5}));
@@ -92,4 +92,4 @@ TEST(LocalGrid, BlurSoftensOldEvidenceAndSparesNew) {
 }
 
 }  // namespace
-}  // namespace striate
+}  // namespace striate::memory

@@ -3,10 +3,10 @@
 
 #include <cmath>
 
-#include "memory/long_term/activation.hpp"
-#include "memory/long_term/learning.hpp"
+#include "striate/memory/long_term/activation.hpp"
+#include "striate/memory/long_term/learning.hpp"
 
-namespace striate {
+namespace striate::memory {
 namespace {
 
 using testing::HasSubstr;
@@ -140,4 +140,4 @@ TEST(Learning, MissedAgainFromTheSamePlaceIsTheSameMiss) {
 }
 
 }  // namespace
-}  // namespace striate
+}  // namespace striate::memory

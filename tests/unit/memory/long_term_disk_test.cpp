@@ -3,11 +3,11 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "memory/long_term/damage.hpp"
-#include "memory/long_term/memory_errors.hpp"
+#include "striate/memory/long_term/damage.hpp"
+#include "striate/memory/long_term/memory_errors.hpp"
 #include "tests/unit/memory/long_term_fixtures.hpp"
 
-namespace striate::memory_tests {
+namespace striate::memory::memory_tests {
 namespace {
 
 using testing::AllOf;
@@ -100,4 +100,4 @@ TEST(MemoryFile, AFullDiskLosesNothingThatWasAcknowledged) {
 }
 
 }  // namespace
-}  // namespace striate::memory_tests
+}  // namespace striate::memory::memory_tests

@@ -6,11 +6,11 @@
 #include <fstream>
 #include <thread>
 
-#include "memory/long_term/damage.hpp"
-#include "memory/long_term/memory_errors.hpp"
+#include "striate/memory/long_term/damage.hpp"
+#include "striate/memory/long_term/memory_errors.hpp"
 #include "tests/unit/memory/long_term_fixtures.hpp"
 
-namespace striate::memory_tests {
+namespace striate::memory::memory_tests {
 namespace {
 
 using testing::AllOf;
@@ -203,4 +203,4 @@ TEST(MemoryFile, LeavesNothingBesideItButTheLock) {
 }
 
 }  // namespace
-}  // namespace striate::memory_tests
+}  // namespace striate::memory::memory_tests

@@ -4,15 +4,15 @@
 #include <random>
 #include <string>
 
-#include "base/user_error.hpp"
-#include "memory/long_term/memory_file.hpp"
-#include "memory/long_term/memory_tables.hpp"
-#include "memory/long_term/memory_writer.hpp"
-#include "memory/long_term/teaching.hpp"
+#include "striate/base/user_error.hpp"
+#include "striate/memory/long_term/memory_file.hpp"
+#include "striate/memory/long_term/memory_tables.hpp"
+#include "striate/memory/long_term/memory_writer.hpp"
+#include "striate/memory/long_term/teaching.hpp"
 #include "tests/reference/temporary_folder.hpp"
 
 /// What the tests of the long-term memory share.
-namespace striate::memory_tests {
+namespace striate::memory::memory_tests {
 
 using Folder = reference::TemporaryFolder;
 
@@ -23,7 +23,7 @@ inline StoredView scattered_view(unsigned seed, int keypoints) {
   view.width_px = 200.0;
   view.height_px = 150.0;
   for (int k = 0; k < keypoints; ++k) {
-    ViewKeypoint point;
+    perception::ViewKeypoint point;
     point.x_px = static_cast<float>(random() % 2000) / 10.0F;
     point.y_px = static_cast<float>(random() % 1500) / 10.0F;
     point.size_px = 8.0F;
@@ -37,7 +37,7 @@ inline StoredView scattered_view(unsigned seed, int keypoints) {
 
 /// The same thing seen a little differently: moved, and some bits flipped.
 inline StoredView seen_again(StoredView view, float shift_px, int keypoints_lost) {
-  for (ViewKeypoint& point : view.keypoints) point.x_px += shift_px;
+  for (perception::ViewKeypoint& point : view.keypoints) point.x_px += shift_px;
   for (StoredDescriptor& one : view.descriptors) one[3] ^= 0x11;
   const std::size_t left = view.keypoints.size() - static_cast<std::size_t>(keypoints_lost);
   view.keypoints.resize(left);
@@ -75,7 +75,7 @@ inline void add_landmark(MemoryTables& tables, const std::string& name, unsigned
   StoredView view = scattered_view(seed, keypoints);
   view.landmark = tables.landmarks.add(landmark);
   view.session = session.id;
-  view.picture = {1, 2, 3};
+  view.image = {1, 2, 3};
   tables.views.add(view);
   tables.sessions.end(session.id, 0.0, "kept");
 }
@@ -101,4 +101,4 @@ inline Taught teach_in_session(Opened& memory, const std::string& name,
   return taught;
 }
 
-}  // namespace striate::memory_tests
+}  // namespace striate::memory::memory_tests

@@ -1,12 +1,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "memory/long_term/forgetting.hpp"
-#include "memory/long_term/learning.hpp"
-#include "memory/long_term/memory_writer.hpp"
+#include "striate/memory/long_term/forgetting.hpp"
+#include "striate/memory/long_term/learning.hpp"
+#include "striate/memory/long_term/memory_writer.hpp"
 #include "tests/unit/memory/long_term_fixtures.hpp"
 
-namespace striate::memory_tests {
+namespace striate::memory::memory_tests {
 namespace {
 
 using testing::HasSubstr;
@@ -108,4 +108,4 @@ TEST(Growth, ARobotThatStandsStillForAnHourAddsLessThan100Kilobytes) {
 }
 
 }  // namespace
-}  // namespace striate::memory_tests
+}  // namespace striate::memory::memory_tests

@@ -4,10 +4,10 @@
 #include <fstream>
 #include <sstream>
 
-#include "memory/long_term/damage.hpp"
+#include "striate/memory/long_term/damage.hpp"
 #include "tests/unit/memory/long_term_fixtures.hpp"
 
-namespace striate::memory_tests {
+namespace striate::memory::memory_tests {
 namespace {
 
 using testing::ElementsAre;
@@ -39,7 +39,7 @@ TEST(GoldenMemory, Version1OpensAndMatches) {
   EXPECT_FALSE(view.damaged);
   EXPECT_EQ(view.descriptors, expected.descriptors);
   EXPECT_EQ(view.keypoints, expected.keypoints);
-  EXPECT_THAT(view.picture, ElementsAre(1, 2, 3));
+  EXPECT_THAT(view.image, ElementsAre(1, 2, 3));
   const Landmark cup = memory.tables.landmarks.find("old cup").value();
   EXPECT_EQ(cup.retired_s, 1000.0);
   EXPECT_EQ(cup.retired_why, "asked for");
@@ -69,4 +69,4 @@ TEST(GoldenMemory, EveryVersionHasOneAndAStepLeadsToIt) {
 }
 
 }  // namespace
-}  // namespace striate::memory_tests
+}  // namespace striate::memory::memory_tests

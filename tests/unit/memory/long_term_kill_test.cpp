@@ -11,11 +11,11 @@
 #include <cstdio>
 #include <thread>
 
-#include "memory/long_term/damage.hpp"
-#include "memory/long_term/teaching.hpp"
+#include "striate/memory/long_term/damage.hpp"
+#include "striate/memory/long_term/teaching.hpp"
 #include "tests/unit/memory/long_term_fixtures.hpp"
 
-namespace striate::memory_tests {
+namespace striate::memory::memory_tests {
 namespace {
 
 using testing::IsEmpty;
@@ -93,7 +93,7 @@ TEST(KillNine, LosesNoAcknowledgedLandmarkWhileTeachingAndDriving) {
             }
             writer.commit([&](MemoryTables& tables) {
               StoredView view = scattered_view(static_cast<unsigned>(at), 60);
-              view.picture.assign(40000, static_cast<std::uint8_t>(at));
+              view.image.assign(40000, static_cast<std::uint8_t>(at));
               Landmark landmark;
               landmark.session = session.id;
               landmark.name = std::to_string(at);
@@ -171,4 +171,4 @@ TEST(KillNine, AMigrationIsDoneOrNotBegun) {
 }
 
 }  // namespace
-}  // namespace striate::memory_tests
+}  // namespace striate::memory::memory_tests

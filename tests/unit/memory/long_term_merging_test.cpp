@@ -1,12 +1,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "memory/long_term/damage.hpp"
-#include "memory/long_term/forgetting.hpp"
-#include "memory/long_term/merging.hpp"
+#include "striate/memory/long_term/damage.hpp"
+#include "striate/memory/long_term/forgetting.hpp"
+#include "striate/memory/long_term/merging.hpp"
 #include "tests/unit/memory/long_term_fixtures.hpp"
 
-namespace striate::memory_tests {
+namespace striate::memory::memory_tests {
 namespace {
 
 using testing::ElementsAre;
@@ -124,15 +124,16 @@ TEST(Merging, TwoLandmarksOnBothMapsPutTheOtherMapOnOurs) {
     put_at(theirs.tables, name, at);
     if (std::string(name) == "lamp") continue;
     add_landmark(ours.tables, name, 100 + k);
-    put_at(ours.tables, name, std::string(name) == "moved" ? Point2{50, 50} : to_outer(origin, at));
+    put_at(ours.tables, name,
+           std::string(name) == "moved" ? Point2{50, 50} : transform(origin, at));
   }
   theirs.tables.places.put(ObstacleCell{20, 10, 2.0, 0.0});
   EXPECT_THAT(merge(ours.tables, theirs.tables, {}).remarks, IsEmpty());
   const MapPosition lamp = ours.tables.landmarks.find("lamp")->position.value();
-  EXPECT_NEAR(lamp.x_m, to_outer(origin, Point2{9.0, 2.0}).x_m, 1e-6);
-  EXPECT_NEAR(lamp.y_m, to_outer(origin, Point2{9.0, 2.0}).y_m, 1e-6);
+  EXPECT_NEAR(lamp.x_m, transform(origin, Point2{9.0, 2.0}).x_m, 1e-6);
+  EXPECT_NEAR(lamp.y_m, transform(origin, Point2{9.0, 2.0}).y_m, 1e-6);
   EXPECT_NEAR(ours.tables.landmarks.find("moved")->position->x_m, 50.0, 1e-9);
-  const Point2 cell = to_outer(origin, Point2{2.05, 1.05});
+  const Point2 cell = transform(origin, Point2{2.05, 1.05});
   ASSERT_EQ(ours.tables.places.cells().size(), 1U);
   EXPECT_NEAR(ours.tables.places.cells()[0].column * kObstacleCell_m, cell.x_m, 0.11);
   EXPECT_NEAR(ours.tables.places.cells()[0].row * kObstacleCell_m, cell.y_m, 0.11);
@@ -154,4 +155,4 @@ TEST(Merging, AMapThatCannotBePutOnOursIsLeftOutAndSaidSo) {
 }
 
 }  // namespace
-}  // namespace striate::memory_tests
+}  // namespace striate::memory::memory_tests

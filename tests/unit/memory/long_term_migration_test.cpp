@@ -3,7 +3,7 @@
 
 #include "tests/unit/memory/long_term_fixtures.hpp"
 
-namespace striate::memory_tests {
+namespace striate::memory::memory_tests {
 namespace {
 
 using testing::AllOf;
@@ -74,4 +74,4 @@ TEST(MemoryFile, AMigrationThatFailsLeavesTheFileAsItWas) {
 }
 
 }  // namespace
-}  // namespace striate::memory_tests
+}  // namespace striate::memory::memory_tests

@@ -1,11 +1,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "memory/long_term/forgetting.hpp"
-#include "memory/long_term/merging.hpp"
+#include "striate/memory/long_term/forgetting.hpp"
+#include "striate/memory/long_term/merging.hpp"
 #include "tests/unit/memory/long_term_fixtures.hpp"
 
-namespace striate::memory_tests {
+namespace striate::memory::memory_tests {
 namespace {
 
 using testing::AllOf;
@@ -28,7 +28,7 @@ TEST(Tables, ALandmarkAndItsViewComeBackAsTheyWere) {
   view.landmark = tables.landmarks.add(landmark);
   view.session = session.id;
   view.range_m = 2.5;
-  view.picture = {9, 8, 7};
+  view.image = {9, 8, 7};
   tables.views.add(view);
   const Landmark found = find_landmark(tables, landmark.name);
   EXPECT_EQ(found.position->cov_xy_m2, 0.01);
@@ -39,7 +39,7 @@ TEST(Tables, ALandmarkAndItsViewComeBackAsTheyWere) {
   const StoredView back = tables.views.of(found.id).front();
   EXPECT_EQ(back.descriptors, view.descriptors);
   EXPECT_EQ(back.keypoints, view.keypoints);
-  EXPECT_EQ(back.picture, view.picture);
+  EXPECT_EQ(back.image, view.image);
   EXPECT_EQ(back.range_m, 2.5);
   EXPECT_FALSE(back.bearing_rad.has_value());
   EXPECT_FALSE(back.damaged);
@@ -139,16 +139,16 @@ TEST(Teaching, UndoDoesNotReachWhatAnotherRobotWasTaught) {
   EXPECT_EQ(ours.tables.landmarks.find("cup")->views, 1);
 }
 
-TEST(Tables, ADamagedPictureIsLeftOutSoThatMergingDoesNotMakeItGood) {
+TEST(Tables, ADamagedImageIsLeftOutSoThatMergingDoesNotMakeItGood) {
   const Folder folder;
   Opened theirs(folder / "b.db", Access::session);
   StoredView view = scattered_view(1, 80);
-  view.picture = {1, 2, 3};
+  view.image = {1, 2, 3};
   (void)teach_in_session(theirs, "book", {view});
   const std::int64_t book = theirs.tables.landmarks.find("book")->id;
-  EXPECT_EQ(theirs.tables.views.of(book).front().picture, view.picture);
+  EXPECT_EQ(theirs.tables.views.of(book).front().image, view.image);
   theirs.file.database().exec("UPDATE landmark_view SET picture = x'010204'");
-  EXPECT_THAT(theirs.tables.views.of(book).front().picture, IsEmpty());
+  EXPECT_THAT(theirs.tables.views.of(book).front().image, IsEmpty());
   EXPECT_FALSE(theirs.tables.views.of(book).front().damaged);
 }
 
@@ -164,4 +164,4 @@ TEST(Teaching, ViewsAreCapped) {
 }
 
 }  // namespace
-}  // namespace striate::memory_tests
+}  // namespace striate::memory::memory_tests

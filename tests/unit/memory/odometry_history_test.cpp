@@ -1,10 +1,10 @@
-#include "memory/odometry_history.hpp"
+#include "striate/memory/short_term/odometry_history.hpp"
 
 #include <gtest/gtest.h>
 
 #include "tests/reference/looks.hpp"
 
-namespace striate {
+namespace striate::memory {
 namespace {
 
 TEST(OdometryHistory, InterpolatesBetweenPoses) {
@@ -34,4 +34,4 @@ TEST(OdometryHistory, IgnoresAStampThatIsNotNew) {
 }
 
 }  // namespace
-}  // namespace striate
+}  // namespace striate::memory

@@ -1,10 +1,10 @@
-#include "memory/polar_map.hpp"
+#include "striate/memory/short_term/polar_map.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-namespace striate {
+namespace striate::memory {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -45,12 +45,12 @@ TEST(PolarMap, OneThingMakesACellOccupiedAndAFewFreePatchesDoNotMakeItFree) {
   grid.add({40, 0}, 6.0F, kSeen);
   const PolarMap map = read_polar_map(grid, {}, kNow);
   const PolarMap::Cell& thing = map.at(0, PolarMap::ring_of(2.02));
-  EXPECT_EQ(thing.state, FloorState::occupied);
+  EXPECT_EQ(thing.state, CellState::occupied);
   EXPECT_NEAR(thing.age_s, 1.0, 1e-3);
-  EXPECT_EQ(map.at(0, PolarMap::ring_of(1.2)).state, FloorState::free);
-  EXPECT_EQ(map.at(0, PolarMap::ring_of(5.0)).state, FloorState::unknown);
+  EXPECT_EQ(map.at(0, PolarMap::ring_of(1.2)).state, CellState::free);
+  EXPECT_EQ(map.at(0, PolarMap::ring_of(5.0)).state, CellState::unknown);
   EXPECT_TRUE(std::isinf(map.at(0, PolarMap::ring_of(5.0)).age_s));
-  EXPECT_EQ(map.at(36, PolarMap::ring_of(2.0)).state, FloorState::unknown);
+  EXPECT_EQ(map.at(36, PolarMap::ring_of(2.0)).state, CellState::unknown);
 }
 
 TEST(PolarMap, TurnsAgainstTheRobotWithoutBlur) {
@@ -59,12 +59,12 @@ TEST(PolarMap, TurnsAgainstTheRobotWithoutBlur) {
   for (int turn = 0; turn < PolarMap::kSectors; ++turn) {
     const PolarMap map = read_polar_map(grid, {0.0, 0.0, turn * PolarMap::kSector_rad}, kNow);
     int occupied = 0;
-    for (const PolarMap::Cell& cell : map.cells) occupied += cell.state == FloorState::occupied;
+    for (const PolarMap::Cell& cell : map.cells) occupied += cell.state == CellState::occupied;
     const int sector = (PolarMap::kSectors - turn) % PolarMap::kSectors;
-    EXPECT_EQ(map.at(sector, PolarMap::ring_of(3.02)).state, FloorState::occupied) << turn;
+    EXPECT_EQ(map.at(sector, PolarMap::ring_of(3.02)).state, CellState::occupied) << turn;
     EXPECT_LE(occupied, 2) << turn;
   }
 }
 
 }  // namespace
-}  // namespace striate
+}  // namespace striate::memory

@@ -1,10 +1,10 @@
-#include "memory/place/route_map.hpp"
+#include "striate/memory/localisation/route_map.hpp"
 
 #include <gtest/gtest.h>
 
 #include <numbers>
 
-namespace striate {
+namespace striate::memory {
 namespace {
 
 std::vector<std::int64_t> stations_of(const RoutePlan& way) {
@@ -17,20 +17,20 @@ TEST(RouteMap, TheWayLeadsOverWhatWasDriven) {
   RouteMap routes;
   routes.driven(1, 2, 5.0, 0.1);
   routes.driven(2, 3, 7.0, std::numbers::pi / 2.0);
-  const RoutePlan way = routes.way_to(1, 3);
+  const RoutePlan way = routes.path_to(1, 3);
   ASSERT_TRUE(way.found);
   EXPECT_EQ(stations_of(way), (std::vector<std::int64_t>{2, 3}));
   EXPECT_DOUBLE_EQ(way.distance_m, 12.0);
   EXPECT_DOUBLE_EQ(way.steps[1].turn_rad, std::numbers::pi / 2.0);
-  EXPECT_FALSE(routes.way_to(1, 9).found);
-  EXPECT_TRUE(routes.way_to(1, 1).found);
+  EXPECT_FALSE(routes.path_to(1, 9).found);
+  EXPECT_TRUE(routes.path_to(1, 1).found);
 }
 
 TEST(RouteMap, BackIsTheSameWayWithTheTurnsTheOtherWayRound) {
   RouteMap routes;
   routes.driven(1, 2, 5.0, 0.0);
   routes.driven(2, 3, 7.0, 1.0);
-  const RoutePlan way = routes.way_to(3, 1);
+  const RoutePlan way = routes.path_to(3, 1);
   ASSERT_TRUE(way.found);
   EXPECT_EQ(stations_of(way), (std::vector<std::int64_t>{2, 1}));
   EXPECT_DOUBLE_EQ(way.steps[0].turn_rad, -1.0);
@@ -42,10 +42,10 @@ TEST(RouteMap, FailuresMakeAWayLonger) {
   routes.driven(1, 2, 10.0, 0.0);
   routes.driven(1, 3, 8.0, 0.0);
   routes.driven(3, 2, 8.0, 0.0);
-  EXPECT_EQ(routes.way_to(1, 2).size, 1U);
+  EXPECT_EQ(routes.path_to(1, 2).size, 1U);
   routes.failed(1, 2);
   routes.failed(1, 2);
-  EXPECT_EQ(stations_of(routes.way_to(1, 2)), (std::vector<std::int64_t>{3, 2}));
+  EXPECT_EQ(stations_of(routes.path_to(1, 2)), (std::vector<std::int64_t>{3, 2}));
 }
 
 TEST(RouteMap, DrivenAgainItIsSurerAndCountedOnce) {
@@ -76,10 +76,10 @@ TEST(RouteMap, WhatDoesNotFitIsLeftOut) {
   RouteMap routes;
   for (std::int64_t k = 1; k < 2000; ++k) routes.driven(k, k + 1, 1.0, 0.0);
   EXPECT_EQ(routes.all().size(), RouteMap::kStations - 1);
-  EXPECT_FALSE(routes.way_to(1, 1500).found);
-  EXPECT_FALSE(routes.way_to(1, 200).found) << "more than a RoutePlan holds";
-  EXPECT_TRUE(routes.way_to(1, 60).found);
+  EXPECT_FALSE(routes.path_to(1, 1500).found);
+  EXPECT_FALSE(routes.path_to(1, 200).found) << "more than a RoutePlan holds";
+  EXPECT_TRUE(routes.path_to(1, 60).found);
 }
 
 }  // namespace
-}  // namespace striate
+}  // namespace striate::memory

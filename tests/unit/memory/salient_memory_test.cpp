@@ -1,4 +1,4 @@
-#include "memory/salient_memory.hpp"
+#include "striate/memory/short_term/salient_memory.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,13 +6,14 @@
 
 #include "tests/reference/looks.hpp"
 
-namespace striate {
+namespace striate::memory {
 namespace {
 
 using looks::at_ms;
 
-SalientRegion region(double bearing_rad, double salience, double distance_m = kNothing_m) {
-  SalientRegion seen;
+perception::SalientRegion region(double bearing_rad, double salience,
+                                 double distance_m = perception::kNothing_m) {
+  perception::SalientRegion seen;
   seen.bearing_rad = bearing_rad;
   seen.salience = salience;
   seen.distance_m = distance_m;
@@ -96,4 +97,4 @@ TEST(SalientMemory, RegionsKeepTheirPlaceWhileTheRobotMoves) {
 }
 
 }  // namespace
-}  // namespace striate
+}  // namespace striate::memory

@@ -1,4 +1,4 @@
-#include "memory/short_term_memory.hpp"
+#include "striate/memory/short_term/short_term_memory.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,29 +6,30 @@
 
 #include "tests/reference/looks.hpp"
 
-namespace striate {
+namespace striate::memory {
 namespace {
 
 using looks::senses_at;
 
-FloorState at(const ShortTermMemory& memory, double x_m, double y_m) {
+CellState at(const ShortTermMemory& memory, double x_m, double y_m) {
   return memory.map().state(LocalGrid::cell_of({x_m, y_m}));
 }
 
 class ShortTermMemoryTest : public testing::Test {
  protected:
-  /// `looks` pictures of a thing straight ahead at 2 m with floor before it.
+  /// `looks` images of a thing straight ahead at 2 m with floor before it.
   void see_box(int looks_count) {
     for (int i = 0; i < looks_count; ++i) {
       ms += 100;
-      Percept percept = looks::blank_percept(ms);
+      perception::Percept percept = looks::blank_percept(ms);
       looks::see_floor(percept, 0.9, 4.5);
       looks::see_thing(percept, 0.0, 0.1, 2.0);
       memory.update(senses_at(ms, pose), percept);
     }
   }
   void idle(int cycles) {
-    for (int i = 0; i < cycles; ++i) memory.update(senses_at(ms += 100, pose), Percept{});
+    for (int i = 0; i < cycles; ++i)
+      memory.update(senses_at(ms += 100, pose), perception::Percept{});
   }
   RobotDescription robot;
   ShortTermMemory memory{{}, robot};
@@ -38,7 +39,7 @@ class ShortTermMemoryTest : public testing::Test {
 
 TEST_F(ShortTermMemoryTest, AThingStaysWhereItIsWhileTheRobotTurnsRoundAndDrivesPast) {
   see_box(8);
-  ASSERT_EQ(at(memory, 2.0, 0.0), FloorState::occupied);
+  ASSERT_EQ(at(memory, 2.0, 0.0), CellState::occupied);
   for (int i = 0; i < 90; ++i) {
     pose.heading_rad = wrap_angle(pose.heading_rad + radians(4.0));
     idle(1);
@@ -48,77 +49,77 @@ TEST_F(ShortTermMemoryTest, AThingStaysWhereItIsWhileTheRobotTurnsRoundAndDrives
     pose.y_m = 0.8;
     idle(1);
   }
-  EXPECT_EQ(at(memory, 2.0, 0.0), FloorState::occupied);
-  EXPECT_NE(at(memory, 2.0, 0.5), FloorState::occupied);
+  EXPECT_EQ(at(memory, 2.0, 0.0), CellState::occupied);
+  EXPECT_NE(at(memory, 2.0, 0.5), CellState::occupied);
   // It is now to the right of the robot, out of the camera's view: still known.
   const PolarMap map = memory.polar_map();
   const double bearing = std::atan2(0.0 - pose.y_m, 2.0 - pose.x_m);
   const double distance = std::hypot(2.0 - pose.x_m, pose.y_m);
   EXPECT_EQ(map.at(PolarMap::sector_of(bearing), PolarMap::ring_of(distance)).state,
-            FloorState::occupied);
+            CellState::occupied);
 }
 
-TEST_F(ShortTermMemoryTest, APictureBelongsToThePoseOfItsStamp) {
-  // The robot turns at 0.5 rad/s; the picture of t = 500 ms arrives at 800 ms.
+TEST_F(ShortTermMemoryTest, AnImageBelongsToThePoseOfItsStamp) {
+  // The robot turns at 0.5 rad/s; the image of t = 500 ms arrives at 800 ms.
   for (ms = 100; ms <= 800; ms += 100) {
     pose.heading_rad = 0.0005 * ms;
-    Percept percept;
+    perception::Percept percept;
     if (ms >= 400) {
       percept = looks::blank_percept(ms - 300);
       looks::see_thing(percept, -0.0005 * (ms - 300), 0.05, 2.0);  // straight along x
     }
     memory.update(senses_at(ms, pose), percept);
   }
-  EXPECT_EQ(at(memory, 2.0, 0.0), FloorState::occupied);
-  EXPECT_EQ(at(memory, 2.0 * std::cos(0.25), 2.0 * std::sin(0.25)), FloorState::unknown);
+  EXPECT_EQ(at(memory, 2.0, 0.0), CellState::occupied);
+  EXPECT_EQ(at(memory, 2.0 * std::cos(0.25), 2.0 * std::sin(0.25)), CellState::unknown);
 }
 
-TEST_F(ShortTermMemoryTest, APictureIsUsedOnce) {
-  Percept percept = looks::blank_percept(100);
+TEST_F(ShortTermMemoryTest, AnImageIsUsedOnce) {
+  perception::Percept percept = looks::blank_percept(100);
   looks::see_thing(percept, 0.0, 0.1, 3.0);
   for (int i = 1; i <= 10; ++i) memory.update(senses_at(100 * i, {}), percept);
-  EXPECT_NE(at(memory, 3.0, 0.0), FloorState::occupied);
-  EXPECT_NEAR(memory.picture_age_s(), 0.9, 1e-9);
+  EXPECT_NE(at(memory, 3.0, 0.0), CellState::occupied);
+  EXPECT_NEAR(memory.image_age_s(), 0.9, 1e-9);
 }
 
-TEST_F(ShortTermMemoryTest, ThePictureIsInfinitelyOldBeforeTheFirst) {
-  EXPECT_TRUE(std::isinf(memory.picture_age_s()));
+TEST_F(ShortTermMemoryTest, TheImageIsInfinitelyOldBeforeTheFirst) {
+  EXPECT_TRUE(std::isinf(memory.image_age_s()));
   idle(3);
-  EXPECT_TRUE(std::isinf(memory.picture_age_s()));
+  EXPECT_TRUE(std::isinf(memory.image_age_s()));
 }
 
 TEST_F(ShortTermMemoryTest, FreeFloorFadesToUnknownAndStillThingsLast) {
   see_box(8);
-  ASSERT_EQ(at(memory, 1.5, 0.0), FloorState::free);
+  ASSERT_EQ(at(memory, 1.5, 0.0), CellState::free);
   idle(700);
-  EXPECT_EQ(at(memory, 1.5, 0.0), FloorState::unknown);
-  EXPECT_EQ(at(memory, 2.0, 0.0), FloorState::occupied);
+  EXPECT_EQ(at(memory, 1.5, 0.0), CellState::unknown);
+  EXPECT_EQ(at(memory, 2.0, 0.0), CellState::occupied);
 }
 
 TEST_F(ShortTermMemoryTest, APersonOutOfViewIsForgottenInSeconds) {
   for (int i = 0; i < 6; ++i) {
-    Percept empty = looks::blank_percept(ms += 100);
+    perception::Percept empty = looks::blank_percept(ms += 100);
     looks::see_floor(empty, 0.9, 4.5);
     memory.update(senses_at(ms, pose), empty);
   }
   see_box(4);  // somebody stepped in
-  ASSERT_EQ(at(memory, 2.0, 0.0), FloorState::occupied);
+  ASSERT_EQ(at(memory, 2.0, 0.0), CellState::occupied);
   idle(100);
-  EXPECT_NE(at(memory, 2.0, 0.0), FloorState::occupied);
+  EXPECT_NE(at(memory, 2.0, 0.0), CellState::occupied);
 }
 
 TEST_F(ShortTermMemoryTest, WhereTheRobotStandsIsFree) {
   idle(1);
-  EXPECT_EQ(at(memory, 0.0, 0.0), FloorState::free);
-  EXPECT_EQ(at(memory, -0.25, 0.15), FloorState::free);
-  EXPECT_EQ(at(memory, 0.5, 0.0), FloorState::unknown);
+  EXPECT_EQ(at(memory, 0.0, 0.0), CellState::free);
+  EXPECT_EQ(at(memory, -0.25, 0.15), CellState::free);
+  EXPECT_EQ(at(memory, 0.5, 0.0), CellState::unknown);
 }
 
 TEST_F(ShortTermMemoryTest, CountsWayAndProgressAlongTheCorridor) {
   pose.heading_rad = 1.0;
   idle(1);
   for (int i = 0; i < 50; ++i) {
-    pose = to_outer(pose, Pose2{0.04, 0.0, i < 25 ? 0.02 : -0.02});
+    pose = transform(pose, Pose2{0.04, 0.0, i < 25 ? 0.02 : -0.02});
     idle(1);
   }
   EXPECT_NEAR(memory.distance_travelled_m(), 2.0, 1e-6);
@@ -141,7 +142,7 @@ TEST_F(ShortTermMemoryTest, TheSameInputGivesTheSameMap) {
   ShortTermMemory other({}, robot);
   for (int i = 0; i < 30; ++i) {
     const int t = 100 * (i + 1);
-    Percept percept = looks::blank_percept(t);
+    perception::Percept percept = looks::blank_percept(t);
     looks::see_floor(percept, 0.9, 4.0 + 0.01 * i);
     looks::see_thing(percept, 0.01 * i, 0.05, 2.0 + 0.05 * i);
     const Senses senses = senses_at(t, {0.03 * i, 0.0, 0.002 * i});
@@ -156,4 +157,4 @@ TEST_F(ShortTermMemoryTest, TheSameInputGivesTheSameMap) {
 }
 
 }  // namespace
-}  // namespace striate
+}  // namespace striate::memory

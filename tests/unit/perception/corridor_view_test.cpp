@@ -1,4 +1,4 @@
-#include "perception/corridor/corridor_view.hpp"
+#include "striate/perception/corridor/corridor_view.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,15 +6,15 @@
 #include <numbers>
 #include <opencv2/imgproc.hpp>
 
-#include "perception/corridor/edge_points.hpp"
-#include "perception/corridor/ray_of.hpp"
-#include "perception/corridor/upright_plane.hpp"
-#include "perception/corridor/vanishing_point.hpp"
-#include "perception/corridor/wall_profile.hpp"
-#include "perception/obstacles/wall_completion.hpp"
+#include "striate/perception/corridor/edge_points.hpp"
+#include "striate/perception/corridor/ray_of.hpp"
+#include "striate/perception/corridor/upright_plane.hpp"
+#include "striate/perception/corridor/vanishing_point.hpp"
+#include "striate/perception/corridor/wall_profile.hpp"
+#include "striate/perception/obstacles/wall_completion.hpp"
 #include "tests/unit/perception/obstacles_synthetic_room.hpp"
 
-namespace striate {
+namespace striate::perception {
 namespace {
 
 using synthetic::look;
@@ -167,4 +167,4 @@ TEST(VanishingPoint, RaysAreThoseOfTheArcTangent) {
 }
 
 }  // namespace
-}  // namespace striate
+}  // namespace striate::perception

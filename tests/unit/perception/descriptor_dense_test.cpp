@@ -1,40 +1,40 @@
 #include <gtest/gtest.h>
 
-#include "perception/descriptor/dense_descriptor.hpp"
-#include "perception/descriptor/phase_code.hpp"
+#include "striate/perception/descriptor/dense_descriptor.hpp"
+#include "striate/perception/descriptor/phase_code.hpp"
 #include "tests/reference/every_target.hpp"
 #include "tests/reference/stereo_pairs.hpp"
 #include "tests/reference/stereo_reference.hpp"
-#include "tests/reference/test_pictures.hpp"
+#include "tests/reference/test_images.hpp"
 
-namespace striate {
+namespace striate::perception {
 namespace {
 
 constexpr double kWavelength_px = 4.0;
 
-V1Responses responses_to(const cv::Mat1b& picture, const V1Settings& settings = {}) {
+V1Responses responses_to(const cv::Mat1b& image, const V1Settings& settings = {}) {
   V1Cells cells(settings);
   V1Responses responses;
-  cells.respond(picture, descriptor_reach(settings.wavelength_px, 1.0), true, responses);
+  cells.respond(image, descriptor_reach(settings.wavelength_px, 1.0), true, responses);
   return responses;
 }
 
 /// Share of bits that differ from the double-precision reference, in %.
-double differing_bits(const cv::Mat1b& picture) {
-  const V1Responses responses = responses_to(picture);
+double differing_bits(const cv::Mat1b& image) {
+  const V1Responses responses = responses_to(image);
   const auto points = descriptor_points(kWavelength_px, 1.0);
-  const auto exact = reference::describe(reference::respond(picture, {}), kWavelength_px);
+  const auto exact = reference::describe(reference::respond(image, {}), kWavelength_px);
   int different = 0;
-  for (int y = 0; y < picture.rows; ++y) {
-    for (int x = 0; x < picture.cols; ++x) {
+  for (int y = 0; y < image.rows; ++y) {
+    for (int x = 0; x < image.cols; ++x) {
       const Descriptor fast = describe_pixel(responses, points, x, y);
-      const reference::Bits& bits = exact[static_cast<std::size_t>(y * picture.cols + x)];
+      const reference::Bits& bits = exact[static_cast<std::size_t>(y * image.cols + x)];
       for (std::size_t b = 0; b < 256; ++b) {
         different += bits[b] != ((fast.words[b / 64] >> (b % 64) & 1U) != 0);
       }
     }
   }
-  return 100.0 * different / (256.0 * static_cast<double>(picture.total()));
+  return 100.0 * different / (256.0 * static_cast<double>(image.total()));
 }
 
 TEST(DescriptorPoints, LieOnFourCirclesWithFourSixNineAndThirteenPoints) {
@@ -79,7 +79,7 @@ TEST(DenseDescriptor, DiffersFromDoublePrecisionInAtMostTwoPercentOfTheBits) {
             2.0);
 }
 
-/// Mean of every third picture, in %.
+/// Mean of every third image, in %.
 double differing_bits(const std::vector<reference::StereoPair>& pairs) {
   double sum = 0.0;
   int count = 0;
@@ -88,7 +88,7 @@ double differing_bits(const std::vector<reference::StereoPair>& pairs) {
 }
 
 /// Measured: 0.64 % in the rooms, 0.89 % in photographs.
-TEST(DenseDescriptor, DiffersOnPicturesInAtMostTwoPercentOfTheBits) {
+TEST(DenseDescriptor, DiffersOnImagesInAtMostTwoPercentOfTheBits) {
   const double rooms = differing_bits(reference::painted_stereo_pairs(7, {160, 120}));
   RecordProperty("rooms_percent", std::to_string(rooms));
   EXPECT_LT(rooms, 2.0);
@@ -101,11 +101,11 @@ TEST(DenseDescriptor, DiffersOnPicturesInAtMostTwoPercentOfTheBits) {
 }
 
 TEST(DenseDescriptor, IsTheSameUnderAnotherExposure) {
-  const cv::Mat1b picture = reference::texture({60, 40}, 6, 0, 60);
+  const cv::Mat1b image = reference::texture({60, 40}, 6, 0, 60);
   cv::Mat1b brighter;
-  picture.convertTo(brighter, CV_8U, 1.3, 10.0);
+  image.convertTo(brighter, CV_8U, 1.3, 10.0);
   const auto points = descriptor_points(kWavelength_px, 1.0);
-  const V1Responses a = responses_to(picture), b = responses_to(brighter);
+  const V1Responses a = responses_to(image), b = responses_to(brighter);
   int distance = 0;
   for (int x = 10; x < 50; ++x) {
     distance +=
@@ -141,4 +141,4 @@ TEST(PhaseCode, EveryInstructionSetGivesTheBitsOfTheDefinition) {
 }
 
 }  // namespace
-}  // namespace striate
+}  // namespace striate::perception

@@ -4,15 +4,15 @@
 #include <numbers>
 #include <opencv2/imgproc.hpp>
 
-#include "base/user_error.hpp"
-#include "perception/descriptor/dense_descriptor.hpp"
-#include "perception/descriptor/striate_descriptor.hpp"
+#include "striate/base/user_error.hpp"
+#include "striate/perception/descriptor/dense_descriptor.hpp"
+#include "striate/perception/descriptor/striate_descriptor.hpp"
 #include "tests/reference/direction_reference.hpp"
 #include "tests/reference/every_target.hpp"
 #include "tests/reference/pooling_reference.hpp"
-#include "tests/reference/test_pictures.hpp"
+#include "tests/reference/test_images.hpp"
 
-namespace striate {
+namespace striate::perception {
 namespace {
 
 std::vector<DescribedFrame> some_frames() {
@@ -23,13 +23,12 @@ std::vector<DescribedFrame> some_frames() {
   return frames;
 }
 
-std::vector<Descriptor> described(const cv::Mat1b& picture,
-                                  const std::vector<DescribedFrame>& frames,
+std::vector<Descriptor> described(const cv::Mat1b& image, const std::vector<DescribedFrame>& frames,
                                   StriateOrientation orientation = StriateOrientation::given) {
   StriateSettings settings;
   settings.orientation = orientation;
   StriateDescriber describer(settings);
-  describer.prepare(picture);
+  describer.prepare(image);
   std::vector<Descriptor> result;
   describer.describe(frames, result);
   return result;
@@ -59,79 +58,79 @@ std::string table_of(int bits) {
 }
 
 TEST(StriateDescriptor, IsTheSameOnEveryInstructionSet) {
-  const cv::Mat1b picture = reference::texture({160, 140}, 3);
-  const auto expected = described(picture, some_frames());
+  const cv::Mat1b image = reference::texture({160, 140}, 3);
+  const auto expected = described(image, some_frames());
   reference::on_every_target([&](const std::string& name) {
-    EXPECT_EQ(described(picture, some_frames()), expected) << name;
+    EXPECT_EQ(described(image, some_frames()), expected) << name;
   });
 }
 
 TEST(StriateDescriptor, OfAFrameDoesNotDependOnTheOthers) {
-  const cv::Mat1b picture = reference::texture({160, 140}, 3);
-  const auto together = described(picture, some_frames());
+  const cv::Mat1b image = reference::texture({160, 140}, 3);
+  const auto together = described(image, some_frames());
   for (std::size_t k = 0; k < together.size(); ++k) {
-    EXPECT_EQ(described(picture, {some_frames()[k]}).front(), together[k]);
+    EXPECT_EQ(described(image, {some_frames()[k]}).front(), together[k]);
   }
 }
 
 TEST(StriateDescriptor, HardlyChangesWithExposure) {
-  const cv::Mat1b picture = reference::texture({160, 140}, 3, 0, 60);
+  const cv::Mat1b image = reference::texture({160, 140}, 3, 0, 60);
   cv::Mat1b brighter;
-  picture.convertTo(brighter, CV_8U, 1.3, 10.0);
-  EXPECT_LT(mean_distance(described(picture, some_frames()), described(brighter, some_frames())),
+  image.convertTo(brighter, CV_8U, 1.3, 10.0);
+  EXPECT_LT(mean_distance(described(image, some_frames()), described(brighter, some_frames())),
             8.0);
 }
 
 TEST(StriateDescriptor, TurnsWithTheFrame) {
-  const cv::Mat1b picture = reference::texture({160, 140}, 3);
+  const cv::Mat1b image = reference::texture({160, 140}, 3);
   cv::Mat1b rotated;
-  cv::rotate(picture, rotated, cv::ROTATE_90_CLOCKWISE);
-  const auto frames = turned(some_frames(), picture.rows);
-  EXPECT_LT(mean_distance(described(picture, some_frames()), described(rotated, frames)), 12.0);
+  cv::rotate(image, rotated, cv::ROTATE_90_CLOCKWISE);
+  const auto frames = turned(some_frames(), image.rows);
+  EXPECT_LT(mean_distance(described(image, some_frames()), described(rotated, frames)), 12.0);
 }
 
 TEST(StriateDescriptor, WithItsOwnAngleIgnoresATurnThatItIsNotTold) {
-  const cv::Mat1b picture = reference::texture({160, 140}, 3);
+  const cv::Mat1b image = reference::texture({160, 140}, 3);
   cv::Mat1b rotated;
-  cv::rotate(picture, rotated, cv::ROTATE_90_CLOCKWISE);
-  const auto frames = turned(some_frames(), picture.rows);
+  cv::rotate(image, rotated, cv::ROTATE_90_CLOCKWISE);
+  const auto frames = turned(some_frames(), image.rows);
   const auto own = StriateOrientation::dominant, upright = StriateOrientation::upright;
-  EXPECT_LT(mean_distance(described(picture, some_frames(), own), described(rotated, frames, own)),
+  EXPECT_LT(mean_distance(described(image, some_frames(), own), described(rotated, frames, own)),
             32.0);
-  EXPECT_GT(mean_distance(described(picture, some_frames(), upright),
-                          described(rotated, frames, upright)),
-            60.0);
+  EXPECT_GT(
+      mean_distance(described(image, some_frames(), upright), described(rotated, frames, upright)),
+      60.0);
 }
 
 TEST(StriateDescriptor, TellsPlacesApart) {
-  const cv::Mat1b picture = reference::texture({160, 140}, 3);
+  const cv::Mat1b image = reference::texture({160, 140}, 3);
   auto elsewhere = some_frames();
   for (DescribedFrame& frame : elsewhere) frame.v_px -= 40.0;
-  EXPECT_GT(mean_distance(described(picture, some_frames()), described(picture, elsewhere)), 60.0);
+  EXPECT_GT(mean_distance(described(image, some_frames()), described(image, elsewhere)), 60.0);
 }
 
-TEST(StriateDescriptor, DescribesSmallestPictures) {
+TEST(StriateDescriptor, DescribesSmallestImages) {
   EXPECT_NO_THROW(described(cv::Mat1b(1, 1, std::uint8_t{7}), {{0.0, 0.0, 3.0, 0.0}}));
 }
 
-TEST(StriateDescriptor, RefusesFramesWithoutSizeAndEmptyPictures) {
+TEST(StriateDescriptor, RefusesFramesWithoutSizeAndEmptyImages) {
   StriateDescriber describer(StriateSettings{});
   EXPECT_THROW(describer.prepare(cv::Mat1b()), std::invalid_argument);
   EXPECT_THROW(described(reference::texture({64, 64}, 1), {{1.0, 1.0, 0.0, 0.0}}),
                std::invalid_argument);
 }
 
-TEST(StriateDescriptor, OfAFrameOutsideThePictureIsThatOfTheNearestPlaceInside) {
-  const cv::Mat1b picture = reference::texture({160, 140}, 3);
+TEST(StriateDescriptor, OfAFrameOutsideTheImageIsThatOfTheNearestPlaceInside) {
+  const cv::Mat1b image = reference::texture({160, 140}, 3);
   const std::vector<DescribedFrame> frames = {{-30.0, 50.0, 8.0, 0.4}, {80.0, 60.0, 8.0, 0.4}};
-  EXPECT_EQ(described(picture, frames)[0], described(picture, {{-0.5, 50.0, 8.0, 0.4}})[0]);
+  EXPECT_EQ(described(image, frames)[0], described(image, {{-0.5, 50.0, 8.0, 0.4}})[0]);
 }
 
-/// The angles that are found in the middle of a picture.
-std::vector<DescribedFrame> oriented(const cv::Mat1b& picture, bool second) {
+/// The angles that are found in the middle of an image.
+std::vector<DescribedFrame> oriented(const cv::Mat1b& image, bool second) {
   StriateDescriber describer(StriateSettings{});
-  describer.prepare(picture);
-  const DescribedFrame frame{0.5 * (picture.cols - 1), 0.5 * (picture.rows - 1), 8.0, 0.0};
+  describer.prepare(image);
+  const DescribedFrame frame{0.5 * (image.cols - 1), 0.5 * (image.rows - 1), 8.0, 0.0};
   std::vector<DescribedFrame> turned;
   std::vector<Descriptor> descriptors;
   describer.describe_oriented({&frame, 1}, second, turned, descriptors);
@@ -142,15 +141,14 @@ std::vector<DescribedFrame> oriented(const cv::Mat1b& picture, bool second) {
 TEST(DominantAngle, PointsToWhereAnEdgeGrowsBrighter) {
   for (const double angle_deg : {0.0, 30.0, 101.0, 180.0, 247.0, 300.0}) {
     const double angle = angle_deg * std::numbers::pi / 180.0;
-    cv::Mat1b picture(cv::Size(81, 81));
+    cv::Mat1b image(cv::Size(81, 81));
     for (int y = 0; y < 81; ++y) {
       for (int x = 0; x < 81; ++x) {
         const double across = (x - 40) * std::cos(angle) + (y - 40) * std::sin(angle);
-        picture(y, x) =
-            cv::saturate_cast<std::uint8_t>(128.0 + 20.0 * std::clamp(across, -4.0, 4.0));
+        image(y, x) = cv::saturate_cast<std::uint8_t>(128.0 + 20.0 * std::clamp(across, -4.0, 4.0));
       }
     }
-    const auto turned = oriented(picture, true);
+    const auto turned = oriented(image, true);
     ASSERT_EQ(turned.size(), 1U) << angle_deg;
     EXPECT_NEAR(std::remainder(turned[0].angle_rad - angle, 2.0 * std::numbers::pi), 0.0, 0.05)
         << angle_deg;
@@ -158,10 +156,10 @@ TEST(DominantAngle, PointsToWhereAnEdgeGrowsBrighter) {
 }
 
 TEST(DominantAngle, OfACornerAreTwoAndOneWhereOnlyOneIsAskedFor) {
-  cv::Mat1b picture(cv::Size(81, 81), std::uint8_t{60});
-  picture(cv::Rect(40, 40, 41, 41)).setTo(200);
-  EXPECT_EQ(oriented(picture, true).size(), 2U);
-  EXPECT_EQ(oriented(picture, false).size(), 1U);
+  cv::Mat1b image(cv::Size(81, 81), std::uint8_t{60});
+  image(cv::Rect(40, 40, 41, 41)).setTo(200);
+  EXPECT_EQ(oriented(image, true).size(), 2U);
+  EXPECT_EQ(oriented(image, false).size(), 1U);
   EXPECT_EQ(oriented(cv::Mat1b(cv::Size(81, 81), std::uint8_t{60}), true).size(), 1U)
       << "nothing to see";
 }
@@ -249,8 +247,8 @@ TEST(StriateTable, TellsTheLineThatIsWrong) {
   auto error = [](const std::string& text) -> std::string {
     try {
       (void)parse_striate_table(text, "table.inc");
-    } catch (const UserError& mistake) {
-      return mistake.what();
+    } catch (const UserError& diagnostic) {
+      return diagnostic.what();
     }
     return "none";
   };
@@ -272,4 +270,4 @@ TEST(StriateTable, IsReadAsItWasWritten) {
 }
 
 }  // namespace
-}  // namespace striate
+}  // namespace striate::perception

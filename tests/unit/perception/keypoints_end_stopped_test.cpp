@@ -1,22 +1,22 @@
 #include <gtest/gtest.h>
 
-#include "perception/keypoints/end_stopped.hpp"
-#include "perception/keypoints/maxima.hpp"
+#include "striate/perception/keypoints/end_stopped.hpp"
+#include "striate/perception/keypoints/maxima.hpp"
 #include "tests/reference/end_stopped_reference.hpp"
 #include "tests/reference/every_target.hpp"
-#include "tests/reference/test_pictures.hpp"
+#include "tests/reference/test_images.hpp"
 
-namespace striate {
+namespace striate::perception {
 namespace {
 
 constexpr int kWidth = 61, kHeight = 23;
 
-V1Responses responses_of(const cv::Mat1b& picture, double wavelength_px, int reach) {
+V1Responses responses_of(const cv::Mat1b& image, double wavelength_px, int reach) {
   V1Settings settings;
   settings.wavelength_px = wavelength_px;
   V1Cells cells(settings);
   V1Responses responses;
-  cells.respond(picture, reach, false, responses);
+  cells.respond(image, reach, false, responses);
   return responses;
 }
 
@@ -110,4 +110,4 @@ TEST(EndStopped, StrictMaximaAreThoseOfThePlainSearchOnEveryInstructionSet) {
 }
 
 }  // namespace
-}  // namespace striate
+}  // namespace striate::perception

@@ -3,13 +3,13 @@
 #include <cmath>
 #include <set>
 
-#include "base/user_error.hpp"
-#include "perception/descriptor/dense_descriptor.hpp"
-#include "perception/keypoints/keypoints.hpp"
+#include "striate/base/user_error.hpp"
+#include "striate/perception/descriptor/dense_descriptor.hpp"
+#include "striate/perception/keypoints/keypoints.hpp"
 #include "tests/reference/every_target.hpp"
-#include "tests/reference/test_pictures.hpp"
+#include "tests/reference/test_images.hpp"
 
-namespace striate {
+namespace striate::perception {
 namespace {
 
 double nearest_px(const std::vector<Keypoint>& found, double u, double v) {
@@ -24,9 +24,9 @@ TEST(KeypointFinder, FindsTheCornersOfASquareAndNothingOnItsSides) {
   for (const bool halve : {false, true}) {
     KeypointSettings settings;
     settings.halve = halve;
-    cv::Mat1b picture(160, 200, std::uint8_t{60});
-    picture(cv::Rect(60, 40, 80, 80)).setTo(180);
-    const std::vector<Keypoint> found = find_keypoints(picture, settings);
+    cv::Mat1b image(160, 200, std::uint8_t{60});
+    image(cv::Rect(60, 40, 80, 80)).setTo(180);
+    const std::vector<Keypoint> found = find_keypoints(image, settings);
     for (const auto& [u, v] :
          {std::pair{59.5, 39.5}, {139.5, 39.5}, {59.5, 119.5}, {139.5, 119.5}}) {
       EXPECT_LT(nearest_px(found, u, v), 5.0) << "halved: " << halve;
@@ -36,7 +36,7 @@ TEST(KeypointFinder, FindsTheCornersOfASquareAndNothingOnItsSides) {
   }
 }
 
-TEST(KeypointFinder, FindsTheSameThingsInAShiftedPicture) {
+TEST(KeypointFinder, FindsTheSameThingsInAShiftedImage) {
   const cv::Mat1b wide = reference::texture({240, 160}, 3);
   const auto here = find_keypoints(wide(cv::Rect(0, 0, 200, 160)).clone(), {});
   const auto there = find_keypoints(wide(cv::Rect(12, 0, 200, 160)).clone(), {});
@@ -57,11 +57,11 @@ TEST(KeypointFinder, FindsTheSameThingsInAShiftedPicture) {
 }
 
 TEST(KeypointFinder, LocatesTheSameKeypointsWithoutDescribingThem) {
-  const cv::Mat1b picture = reference::texture({200, 160}, 3);
+  const cv::Mat1b image = reference::texture({200, 160}, 3);
   KeypointFinder finder({});
   std::vector<Keypoint> located;
-  finder.locate(picture, located);
-  const std::vector<Keypoint> found = finder.find(picture);
+  finder.locate(image, located);
+  const std::vector<Keypoint> found = finder.find(image);
   ASSERT_EQ(located.size(), found.size());
   ASSERT_FALSE(found.empty());
   for (std::size_t k = 0; k < found.size(); ++k) {
@@ -74,10 +74,10 @@ TEST(KeypointFinder, LocatesTheSameKeypointsWithoutDescribingThem) {
 
 TEST(KeypointFinder, ComesStrongestFirstAndKeepsOnlyTheMost) {
   KeypointSettings settings;
-  const cv::Mat1b picture = reference::texture({200, 160}, 5);
-  const auto all = find_keypoints(picture, settings);
+  const cv::Mat1b image = reference::texture({200, 160}, 5);
+  const auto all = find_keypoints(image, settings);
   settings.most = 10;
-  const auto few = find_keypoints(picture, settings);
+  const auto few = find_keypoints(image, settings);
   ASSERT_GT(all.size(), 10U);
   ASSERT_EQ(few.size(), 10U);
   for (std::size_t k = 0; k < few.size(); ++k) {
@@ -88,11 +88,11 @@ TEST(KeypointFinder, ComesStrongestFirstAndKeepsOnlyTheMost) {
   }
 }
 
-/// A square of `side_px`, odd, in a blank picture of 320x320, centred at (155, 155).
+/// A square of `side_px`, odd, in a blank image of 320x320, centred at (155, 155).
 cv::Mat1b square(int side_px) {
-  cv::Mat1b picture(320, 320, std::uint8_t{60});
-  picture(cv::Rect(155 - side_px / 2, 155 - side_px / 2, side_px, side_px)).setTo(180);
-  return picture;
+  cv::Mat1b image(320, 320, std::uint8_t{60});
+  image(cv::Rect(155 - side_px / 2, 155 - side_px / 2, side_px, side_px)).setTo(180);
+  return image;
 }
 
 KeypointSettings many_scales() {
@@ -123,7 +123,7 @@ TEST(KeypointFinder, TheWavelengthFollowsTheSizeOfABlob) {
   }
 }
 
-TEST(KeypointFinder, WavelengthsAreTwoPerOctaveInPixelsOfTheGivenPicture) {
+TEST(KeypointFinder, WavelengthsAreTwoPerOctaveInPixelsOfTheGivenImage) {
   KeypointSettings settings = many_scales();
   settings.fine_first = 0.0;
   const auto found = find_keypoints(reference::texture({320, 240}, 4), settings);
@@ -157,7 +157,7 @@ TEST(KeypointFinder, KeypointsOfNeighbouringScalesAreApart) {
   }
 }
 
-TEST(KeypointFinder, ACornerIsFoundWithinAPixelOfItselfInAPictureOfTwiceTheSize) {
+TEST(KeypointFinder, ACornerIsFoundWithinAPixelOfItselfInAnImageOfTwiceTheSize) {
   cv::Mat1b small(120, 120, std::uint8_t{60}), large(240, 240, std::uint8_t{60});
   small(cv::Rect(40, 40, 40, 40)).setTo(180);
   large(cv::Rect(80, 80, 80, 80)).setTo(180);
@@ -172,7 +172,7 @@ TEST(KeypointFinder, ACornerIsFoundWithinAPixelOfItselfInAPictureOfTwiceTheSize)
   }
 }
 
-TEST(KeypointFinder, UsesItsBuffersAgainForAnotherPicture) {
+TEST(KeypointFinder, UsesItsBuffersAgainForAnotherImage) {
   KeypointFinder finder(many_scales());
   std::vector<Keypoint> out;
   finder.find(reference::texture({200, 160}, 1), out);
@@ -188,10 +188,10 @@ TEST(KeypointFinder, UsesItsBuffersAgainForAnotherPicture) {
 }
 
 TEST(KeypointFinder, GivesTheSameOnEveryInstructionSet) {
-  const cv::Mat1b picture = reference::texture({131, 97}, 8);
+  const cv::Mat1b image = reference::texture({131, 97}, 8);
   std::vector<Keypoint> first;
   reference::on_every_target([&](const std::string& name) {
-    const auto found = find_keypoints(picture, many_scales());
+    const auto found = find_keypoints(image, many_scales());
     if (first.empty()) first = found;
     ASSERT_EQ(found.size(), first.size()) << name;
     for (std::size_t k = 0; k < found.size(); ++k) {
@@ -203,7 +203,7 @@ TEST(KeypointFinder, GivesTheSameOnEveryInstructionSet) {
   EXPECT_GT(first.size(), 50U);
 }
 
-TEST(KeypointFinder, TakesPicturesOfAnySizeAndFindsNothingInBlankOnes) {
+TEST(KeypointFinder, TakesImagesOfAnySizeAndFindsNothingInBlankOnes) {
   KeypointSettings full = many_scales(), halved;
   for (const KeypointSettings& settings : {full, halved}) {
     for (const cv::Size size :
@@ -221,7 +221,7 @@ TEST(KeypointFinder, TakesPicturesOfAnySizeAndFindsNothingInBlankOnes) {
 
 TEST(KeypointFinder, RefusesAWavelengthThatTheFiltersCannotHave) {
   KeypointSettings settings;
-  settings.wavelength_px = 4.0;  // 2 px on the halved picture
+  settings.wavelength_px = 4.0;  // 2 px on the halved image
   EXPECT_THROW(KeypointFinder{settings}, UserError);
   settings.wavelength_px = 10.0;
   settings.halve = false;
@@ -231,4 +231,4 @@ TEST(KeypointFinder, RefusesAWavelengthThatTheFiltersCannotHave) {
 }
 
 }  // namespace
-}  // namespace striate
+}  // namespace striate::perception

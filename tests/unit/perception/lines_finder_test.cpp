@@ -3,19 +3,19 @@
 #include <cmath>
 #include <numbers>
 
-#include "base/user_error.hpp"
-#include "perception/lines/lines.hpp"
+#include "striate/base/user_error.hpp"
+#include "striate/perception/lines/lines.hpp"
 #include "tests/reference/every_target.hpp"
-#include "tests/reference/test_pictures.hpp"
+#include "tests/reference/test_images.hpp"
 
-namespace striate {
+namespace striate::perception {
 namespace {
 
 /// A straight contour through (40, 40); `profile` of the distance across it gives the grey value,
 /// averaged over each pixel.
 template <class Profile>
 cv::Mat1b contour(double across_rad, Profile profile) {
-  cv::Mat1b picture(81, 81);
+  cv::Mat1b image(81, 81);
   for (int v = 0; v < 81; ++v) {
     for (int u = 0; u < 81; ++u) {
       double sum = 0.0;
@@ -24,16 +24,16 @@ cv::Mat1b contour(double across_rad, Profile profile) {
         const double y = v + (k / 8 + 0.5) / 8.0 - 0.5 - 40.0;
         sum += profile(x * std::cos(across_rad) + y * std::sin(across_rad));
       }
-      picture(v, u) = cv::saturate_cast<std::uint8_t>(sum / 64.0);
+      image(v, u) = cv::saturate_cast<std::uint8_t>(sum / 64.0);
     }
   }
-  return picture;
+  return image;
 }
 
 /// All events away from the border are of this kind, on the contour and along all of it.
-void expect_contour(const cv::Mat1b& picture, EventKind kind, double across_rad) {
+void expect_contour(const cv::Mat1b& image, EventKind kind, double across_rad) {
   int count = 0;
-  for (const ContourEvent& event : find_lines_and_edges(picture, {}).events) {
+  for (const ContourEvent& event : find_lines_and_edges(image, {}).events) {
     if (event.u_px < 15 || event.u_px > 65 || event.v_px < 15 || event.v_px > 65) continue;
     ++count;
     EXPECT_EQ(static_cast<int>(event.kind), static_cast<int>(kind));
@@ -75,7 +75,7 @@ TEST(LineFinder, AStepIsAnEdgePositiveWhereItBrightensAcross) {
   }
 }
 
-TEST(LineFinder, FindsNothingInBlankPicturesOfAnySize) {
+TEST(LineFinder, FindsNothingInBlankImagesOfAnySize) {
   for (const cv::Size size : {cv::Size(1, 1), cv::Size(2, 2), cv::Size(3, 40), cv::Size(60, 50)}) {
     for (const int grey : {0, 130, 255}) {
       EXPECT_TRUE(find_lines_and_edges(cv::Mat1b(size, std::uint8_t(grey)), {}).events.empty());
@@ -85,10 +85,10 @@ TEST(LineFinder, FindsNothingInBlankPicturesOfAnySize) {
 }
 
 TEST(LineFinder, GivesTheSameOnEveryInstructionSet) {
-  const cv::Mat1b picture = reference::texture({70, 50}, 6);
+  const cv::Mat1b image = reference::texture({70, 50}, 6);
   std::vector<ContourEvent> first;
   reference::on_every_target([&](const std::string& name) {
-    const auto found = find_lines_and_edges(picture, {}).events;
+    const auto found = find_lines_and_edges(image, {}).events;
     if (first.empty()) first = found;
     ASSERT_EQ(found.size(), first.size()) << name;
     for (std::size_t k = 0; k < found.size(); ++k) {
@@ -104,4 +104,4 @@ TEST(LineFinder, RefusesAWavelengthThatTheFiltersCannotHave) {
 }
 
 }  // namespace
-}  // namespace striate
+}  // namespace striate::perception

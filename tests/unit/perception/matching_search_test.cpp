@@ -1,11 +1,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "perception/matching/hamming_search.hpp"
+#include "striate/perception/matching/hamming_search.hpp"
 #include "tests/reference/every_target.hpp"
 #include "tests/reference/hamming_reference.hpp"
 
-namespace striate {
+namespace striate::perception {
 namespace {
 
 using reference::disturbed;
@@ -138,4 +138,4 @@ TEST(DescriptorStore, HasRoomForWhatWasReserved) {
 }
 
 }  // namespace
-}  // namespace striate
+}  // namespace striate::perception

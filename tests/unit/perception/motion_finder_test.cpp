@@ -3,12 +3,12 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
-#include "perception/motion/motion.hpp"
-#include "perception/obstacles/obstacles.hpp"
-#include "tests/reference/test_pictures.hpp"
+#include "striate/perception/motion/motion.hpp"
+#include "striate/perception/obstacles/obstacles.hpp"
+#include "tests/reference/test_images.hpp"
 #include "tests/unit/perception/obstacles_synthetic_room.hpp"
 
-namespace striate {
+namespace striate::perception {
 namespace {
 
 using synthetic::Box;
@@ -144,4 +144,4 @@ TEST(Motion, NothingIsComparedAcrossAPauseOrAnotherSize) {
 }
 
 }  // namespace
-}  // namespace striate
+}  // namespace striate::perception

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 
-#include "perception/obstacles/floor_state.hpp"
-#include "perception/obstacles/obstacles.hpp"
-#include "perception/obstacles/view_geometry.hpp"
+#include "striate/perception/obstacles/floor_state.hpp"
+#include "striate/perception/obstacles/obstacles.hpp"
+#include "striate/perception/obstacles/view_geometry.hpp"
 #include "tests/unit/perception/obstacles_synthetic_room.hpp"
 
-namespace striate {
+namespace striate::perception {
 namespace {
 
 using synthetic::Box;
@@ -213,4 +213,4 @@ TEST(PaperObstacles, AnEmptyMapHasNone) {
 }
 
 }  // namespace
-}  // namespace striate
+}  // namespace striate::perception

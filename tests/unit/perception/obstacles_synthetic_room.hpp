@@ -5,14 +5,14 @@
 #include <optional>
 #include <vector>
 
-#include "perception/percept.hpp"
-#include "platform/interface/robot.hpp"
-#include "platform/interface/senses.hpp"
+#include "striate/perception/percept.hpp"
+#include "striate/platform/interface/robot.hpp"
+#include "striate/platform/interface/senses.hpp"
 
 /// Exact disparity maps of a floor, upright walls and boxes, by ray casting: what a perfect matcher
 /// would hand to the obstacle finder. Written apart from ViewGeometry, so that each checks the
 /// other.
-namespace striate::synthetic {
+namespace striate::perception::synthetic {
 
 struct Box {  ///< axis-parallel, in the robot frame
   double x0_m, x1_m, y0_m, y1_m, z0_m, z1_m;
@@ -121,4 +121,4 @@ inline void make_unknown(DisparityMap& map, cv::Rect where) {
   map.confidence(where).setTo(0.0F);
 }
 
-}  // namespace striate::synthetic
+}  // namespace striate::perception::synthetic

@@ -3,14 +3,14 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
-#include "perception/noise_estimate.hpp"
-#include "perception/perception.hpp"
+#include "striate/perception/noise_estimate.hpp"
+#include "striate/perception/perception.hpp"
 #include "tests/unit/perception/obstacles_synthetic_room.hpp"
 
-namespace striate {
+namespace striate::perception {
 namespace {
 
-/// A textured board straight ahead, seen by two eyes: one picture is the other, shifted.
+/// A textured board straight ahead, seen by two eyes: one image is the other, shifted.
 StereoFrame board_at(double distance_m) {
   StereoFrame frame;
   frame.focal_px = 406.0;
@@ -30,7 +30,7 @@ StereoFrame board_at(double distance_m) {
   return frame;
 }
 
-TEST(Perception, NoPictureGivesAnInvalidPercept) {
+TEST(Perception, NoImageGivesAnInvalidPercept) {
   Perception perception({}, {});
   const Percept percept = perception.see({});
   EXPECT_FALSE(percept.valid);
@@ -54,7 +54,7 @@ TEST(Perception, SeesABoardAtItsDistanceAndNothingFreeBehindIt) {
 
 TEST(Perception, ThePaperSettingThresholdsTheDisparity) {
   PerceptionSettings settings;
-  settings.stereo.setting = StereoSetting::paper;
+  settings.stereo.mode = StereoMode::paper;
   Perception perception(settings, {});
   EXPECT_NEAR(perception.see(board_at(2.0)).columns[80].obstacle_m, 2.0, 0.2);
   EXPECT_EQ(perception.see(board_at(4.5)).columns[80].obstacle_m, kNothing_m);
@@ -63,8 +63,8 @@ TEST(Perception, ThePaperSettingThresholdsTheDisparity) {
 /// The same board by a fraction of its light: contrast falls, noise stays.
 StereoFrame in_little_light(StereoFrame frame, double light, double noise) {
   std::uint64_t counter = 0;
-  for (cv::Mat3b* picture : {&frame.left, &frame.right}) {
-    for (cv::Vec3b& pixel : *picture) {
+  for (cv::Mat3b* image : {&frame.left, &frame.right}) {
+    for (cv::Vec3b& pixel : *image) {
       const double n = noise * (synthetic::noise(counter) + synthetic::noise(counter + 1));
       counter += 2;
       pixel = cv::Vec3b::all(cv::saturate_cast<uchar>(30.0 + light * (pixel[0] - 128.0) + n));
@@ -128,7 +128,7 @@ TEST(Perception, EyesOfDifferentSizeAreABug) {
   EXPECT_THROW(static_cast<void>(perception.see(frame)), std::invalid_argument);
 }
 
-TEST(Perception, TheSamePicturesGiveTheSamePercept) {
+TEST(Perception, TheSameImagesGiveTheSamePercept) {
   Perception one({}, {});
   Perception two({}, {});
   const Percept a = one.see(board_at(1.5));
@@ -140,7 +140,7 @@ TEST(Perception, TheSamePicturesGiveTheSamePercept) {
   }
 }
 
-TEST(Perception, SalienceComesInEveryNthPicture) {
+TEST(Perception, SalienceComesInEveryNthImage) {
   PerceptionSettings settings;
   settings.saliency_every = 3;
   Perception perception(settings, {});
@@ -150,7 +150,7 @@ TEST(Perception, SalienceComesInEveryNthPicture) {
   }
 }
 
-TEST(Perception, KeypointsLieInTheWholePictureAndComeWhenAskedFor) {
+TEST(Perception, KeypointsLieInTheWholeImageAndComeWhenAskedFor) {
   PerceptionSettings settings;
   settings.keypoints_every = 2;
   Perception perception(settings, {});
@@ -159,13 +159,13 @@ TEST(Perception, KeypointsLieInTheWholePictureAndComeWhenAskedFor) {
   ASSERT_GT(found.size(), 20U);
   double rightmost = 0.0;
   for (const Keypoint& k : found) rightmost = std::max(rightmost, k.u_px);
-  EXPECT_GT(rightmost, 200.0);  // the picture is 320 wide, not the working size's 160
+  EXPECT_GT(rightmost, 200.0);  // the image is 320 wide, not the working size's 160
   EXPECT_TRUE(perception.see(frame).keypoints.empty());
   settings.keypoints_every = 0;
   EXPECT_TRUE(Perception(settings, {}).see(frame).keypoints.empty());
 }
 
-TEST(NoiseEstimate, FindsTheNoiseOfABlankPictureAndNotItsEdges) {
+TEST(NoiseEstimate, FindsTheNoiseOfABlankImageAndNotItsEdges) {
   for (const double sigma : {1.0, 3.0, 8.0}) {
     cv::Mat1b grey(240, 320);
     for (int v = 0; v < grey.rows; ++v) {
@@ -183,4 +183,4 @@ TEST(NoiseEstimate, FindsTheNoiseOfABlankPictureAndNotItsEdges) {
 }
 
 }  // namespace
-}  // namespace striate
+}  // namespace striate::perception

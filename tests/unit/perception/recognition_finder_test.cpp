@@ -4,10 +4,10 @@
 #include <numeric>
 #include <opencv2/imgproc.hpp>
 
-#include "perception/recognition/landmark_finder.hpp"
-#include "tests/reference/test_pictures.hpp"
+#include "striate/perception/recognition/landmark_finder.hpp"
+#include "tests/reference/test_images.hpp"
 
-namespace striate {
+namespace striate::perception {
 namespace {
 
 constexpr double kDisparity_px = 12.0;  // at the working size: 2.03 m along the line of sight
@@ -124,17 +124,17 @@ TEST(LandmarkFinder, ViewsBeyondTheBudgetTakeTurns) {
   LandmarkFinder finder = finder_of({1, 2, 3, 4, 5, 6}, settings);
   // Three always, and the others one after the other.
   int first = 0, last = 0;
-  for (int picture = 0; picture < 6; ++picture) {
+  for (int image = 0; image < 6; ++image) {
     first += !Scene().hang(1, 320, 240).salient(320, 240).look(finder).recognitions.empty();
   }
-  for (int picture = 0; picture < 6; ++picture) {
+  for (int image = 0; image < 6; ++image) {
     last += !Scene().hang(6, 320, 240).salient(320, 240).look(finder).recognitions.empty();
   }
   EXPECT_EQ(first, 6);
   EXPECT_EQ(last, 2);
 }
 
-TEST(LandmarkFinder, APartOfThePictureShowsOneThing) {
+TEST(LandmarkFinder, APartOfTheImageShowsOneThing) {
   LandmarkFinderSettings settings;
   settings.matching.least_share = 0.0;
   settings.every = 1;
@@ -164,7 +164,7 @@ TEST(LandmarkFinder, WithoutAViewItDoesNothing) {
   EXPECT_TRUE(look.expected.empty());
 }
 
-TEST(LookWindows, AreOfFewSizesLieInThePictureAndHoldTheirRegion) {
+TEST(LookWindows, AreOfFewSizesLieInTheImageAndHoldTheirRegion) {
   LookWindows windows;
   windows.begin({640, 480}, 10);
   const std::vector<cv::Rect2d> boxes = {
@@ -186,4 +186,4 @@ TEST(LookWindows, AreOfFewSizesLieInThePictureAndHoldTheirRegion) {
 }
 
 }  // namespace
-}  // namespace striate
+}  // namespace striate::perception

@@ -7,14 +7,14 @@
 #include <numbers>
 #include <opencv2/imgproc.hpp>
 
-#include "base/user_error.hpp"
-#include "perception/recognition/oriented_keypoints.hpp"
-#include "perception/recognition/recogniser.hpp"
+#include "striate/base/user_error.hpp"
+#include "striate/perception/recognition/oriented_keypoints.hpp"
+#include "striate/perception/recognition/recogniser.hpp"
 #include "tests/reference/every_target.hpp"
 #include "tests/reference/hamming_reference.hpp"
-#include "tests/reference/test_pictures.hpp"
+#include "tests/reference/test_images.hpp"
 
-// Counts, for RecognisesWithoutAllocatingOnceItHasSeenAPicture. Sanitizers have an allocator of
+// Counts, for RecognisesWithoutAllocatingOnceItHasSeenAnImage. Sanitizers have an allocator of
 // their own, which this must not take apart.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 #define STRIATE_COUNTS_ALLOCATIONS 0
@@ -37,7 +37,7 @@ void* operator new(std::size_t size) {
 }
 #endif
 
-namespace striate {
+namespace striate::perception {
 namespace {
 
 using reference::disturbed;
@@ -47,7 +47,7 @@ std::vector<Keypoint> keypoints_of(const cv::Mat1b& grey) {
 }
 
 /// An object with texture of coarse grains, so that it bears being made smaller.
-cv::Mat1b object_picture(int seed) {
+cv::Mat1b object_image(int seed) {
   cv::Mat1b fine = reference::texture({80, 60}, seed), coarse;
   cv::resize(fine, coarse, {240, 180}, 0, 0, cv::INTER_CUBIC);
   return coarse;
@@ -58,7 +58,7 @@ Recogniser taught(std::initializer_list<int> seeds, const RecognitionSettings& s
   Recogniser recogniser(settings);
   int landmark = 0;
   for (const int seed : seeds) {
-    recogniser.add(landmark++, make_view(object_picture(seed), {0, 0, 240, 180}, keypoints_of));
+    recogniser.add(landmark++, make_view(object_image(seed), {0, 0, 240, 180}, keypoints_of));
   }
   return recogniser;
 }
@@ -70,7 +70,7 @@ cv::Mat1b scene_with(int seed, double angle_deg, double scale) {
   cv::Mat1d turn = cv::getRotationMatrix2D({119.5F, 89.5F}, angle_deg, scale);
   turn(0, 2) += 320 - 119.5;
   turn(1, 2) += 240 - 89.5;
-  const cv::Mat1b object = object_picture(seed);
+  const cv::Mat1b object = object_image(seed);
   cv::warpAffine(object, scene, turn, scene.size(), cv::INTER_AREA, cv::BORDER_TRANSPARENT);
   return scene;
 }
@@ -143,7 +143,7 @@ TEST(Recogniser, ForgetsAViewThatIsRemovedAndGivesItsNumberAgain) {
   EXPECT_EQ(recogniser.size(), 1U);
   EXPECT_TRUE(recogniser.recognise(seen).empty());
   EXPECT_TRUE(recogniser.recognise(seen, std::vector<int>{1, 0}, {}).empty());
-  EXPECT_EQ(recogniser.add(7, make_view(object_picture(12), {0, 0, 240, 180}, keypoints_of)), 1);
+  EXPECT_EQ(recogniser.add(7, make_view(object_image(12), {0, 0, 240, 180}, keypoints_of)), 1);
   ASSERT_EQ(recogniser.recognise(seen).size(), 1U);
   EXPECT_EQ(recogniser.recognise(seen)[0].landmark, 7);
   EXPECT_THROW(recogniser.remove(5), std::out_of_range);
@@ -173,7 +173,7 @@ TEST(Recogniser, EveryInstructionSetRecognisesTheSame) {
   });
 }
 
-/// A view of `count` keypoints, and a picture that shows so many of them at a distance in bits.
+/// A view of `count` keypoints, and an image that shows so many of them at a distance in bits.
 std::vector<Recognition> by_papers_rule(std::size_t count, std::size_t shown, int bits) {
   LandmarkView view{{}, {}, 100.0, 100.0};
   std::vector<Keypoint> seen;
@@ -188,7 +188,7 @@ std::vector<Recognition> by_papers_rule(std::size_t count, std::size_t shown, in
     seen.push_back(point);
   }
   RecognitionSettings settings;
-  settings.setting = RecognitionSetting::paper;
+  settings.mode = RecognitionMode::paper;
   Recogniser recogniser(settings);
   recogniser.add(0, view);
   return recogniser.recognise(seen);
@@ -203,11 +203,11 @@ TEST(Recogniser, ThePapersRuleConfirmsAtHalfOfTheDescriptorsBelow48Bits) {
 }
 
 #if STRIATE_COUNTS_ALLOCATIONS
-TEST(Recogniser, RecognisesWithoutAllocatingOnceItHasSeenAPicture) {
+TEST(Recogniser, RecognisesWithoutAllocatingOnceItHasSeenAnImage) {
   const std::vector<Keypoint> seen = keypoints_of(scene_with(11, 25.0, 0.8));
-  for (const RecognitionSetting setting : {RecognitionSetting::paper, RecognitionSetting::robust}) {
+  for (const RecognitionMode mode : {RecognitionMode::paper, RecognitionMode::robust}) {
     RecognitionSettings settings;
-    settings.setting = setting;
+    settings.mode = mode;
     settings.paper_share = 0.0;
     Recogniser recogniser = taught({11, 12}, settings);
     EXPECT_FALSE(recogniser.recognise(seen).empty());
@@ -244,16 +244,16 @@ TEST(Recogniser, MayAskForAnUprightViewAndForAShareOfWhatCanBeSeen) {
 }
 
 TEST(LandmarkView, HoldsTheKeypointsOfItsRegionOnly) {
-  const cv::Mat1b picture = scene_with(11, 0.0, 1.0);
+  const cv::Mat1b image = scene_with(11, 0.0, 1.0);
   const cv::Rect region(200, 150, 240, 180);
-  const LandmarkView view = make_view(picture, region, keypoints_of);
+  const LandmarkView view = make_view(image, region, keypoints_of);
   EXPECT_EQ(view.width_px, 240.0);
   ASSERT_GT(view.keypoints.size(), 20U);
   EXPECT_EQ(view.keypoints.size(), view.descriptors.size());
   for (const ViewKeypoint& point : view.keypoints) {
     EXPECT_TRUE(point.x_px > -1 && point.x_px < 240 && point.y_px > -1 && point.y_px < 180);
   }
-  EXPECT_THROW((void)make_view(picture, {700, 0, 10, 10}, keypoints_of), UserError);
+  EXPECT_THROW((void)make_view(image, {700, 0, 10, 10}, keypoints_of), UserError);
 }
 
 TEST(Pose, LeastSquaresGivesBackThePoseThatMadeThePairs) {
@@ -269,12 +269,12 @@ TEST(Pose, LeastSquaresGivesBackThePoseThatMadeThePairs) {
   EXPECT_NEAR(pose.f, truth.f, 1e-9);
   const Pose turned{0.6, -0.8, 5.0, 0.8, 0.6, 1.0};
   for (PlacePair& pair : pairs) {
-    pair.picture.u_px = turned.u_of(pair.view.u_px, pair.view.v_px);
-    pair.picture.v_px = turned.v_of(pair.view.u_px, pair.view.v_px);
+    pair.image.u_px = turned.u_of(pair.view.u_px, pair.view.v_px);
+    pair.image.v_px = turned.v_of(pair.view.u_px, pair.view.v_px);
   }
   EXPECT_NEAR(fit_similarity(pairs).d, 0.8, 1e-9);
   EXPECT_NEAR(turned.stretch(), 1.0, 1e-9);
 }
 
 }  // namespace
-}  // namespace striate
+}  // namespace striate::perception

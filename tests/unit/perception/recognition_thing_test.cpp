@@ -2,9 +2,9 @@
 
 #include <cmath>
 
-#include "perception/recognition/thing_region.hpp"
+#include "striate/perception/recognition/thing_region.hpp"
 
-namespace striate {
+namespace striate::perception {
 namespace {
 
 /// A thing 12 px of disparity away before a wall at 8 px; a salient region that is a little larger.
@@ -45,4 +45,4 @@ TEST(ThingRegion, IsNotThereWhereTheGazeOrTheDistanceSaysOtherwise) {
 }
 
 }  // namespace
-}  // namespace striate
+}  // namespace striate::perception

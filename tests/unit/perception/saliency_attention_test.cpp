@@ -2,9 +2,9 @@
 
 #include <cmath>
 
-#include "perception/saliency/attention.hpp"
+#include "striate/perception/saliency/attention.hpp"
 
-namespace striate {
+namespace striate::perception {
 namespace {
 
 SalientRegion region(double bearing_rad, double salience, double v_px = 60.0) {
@@ -83,4 +83,4 @@ TEST(Attention, NothingIsHandedOutOfNothing) {
 }
 
 }  // namespace
-}  // namespace striate
+}  // namespace striate::perception

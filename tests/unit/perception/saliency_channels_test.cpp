@@ -4,18 +4,18 @@
 #include <opencv2/imgproc.hpp>
 #include <string>
 
-#include "perception/saliency/saliency.hpp"
+#include "striate/perception/saliency/saliency.hpp"
 #include "tests/reference/every_target.hpp"
 #include "tests/reference/salience_channels_reference.hpp"
-#include "tests/reference/test_pictures.hpp"
+#include "tests/reference/test_images.hpp"
 
-namespace striate {
+namespace striate::perception {
 namespace {
 
 cv::Mat3b coloured(const cv::Mat1b& grey) {
-  cv::Mat3b picture;
-  cv::cvtColor(grey, picture, cv::COLOR_GRAY2BGR);
-  return picture;
+  cv::Mat3b image;
+  cv::cvtColor(grey, image, cv::COLOR_GRAY2BGR);
+  return image;
 }
 
 SaliencySettings only(double SaliencySettings::*channel) {
@@ -36,25 +36,25 @@ cv::Point highest(const SaliencyMap& map) {
 }
 
 TEST(SaliencyChannels, TextureFindsThePatchOfOtherOrientation) {
-  cv::Mat1b picture(120, 160);
+  cv::Mat1b image(120, 160);
   for (int v = 0; v < 120; ++v) {
     for (int u = 0; u < 160; ++u) {
       const bool patch = std::abs(u - 110) < 15 && std::abs(v - 50) < 15;
-      picture(v, u) = static_cast<uchar>(128.0 + 60.0 * std::sin(1.57 * (patch ? v : u)));
+      image(v, u) = static_cast<uchar>(128.0 + 60.0 * std::sin(1.57 * (patch ? v : u)));
     }
   }
   SaliencyFinder finder(only(&SaliencySettings::texture));
-  const cv::Point at = highest(find(finder, picture));
+  const cv::Point at = highest(find(finder, image));
   EXPECT_NEAR(at.x, 110, 12);
   EXPECT_NEAR(at.y, 50, 12);
 }
 
 TEST(SaliencyChannels, ShapeFindsTheMiddleOfARing) {
-  cv::Mat1b picture(120, 160, uchar{90});
-  cv::circle(picture, {60, 70}, 16, 200, 2);
-  cv::line(picture, {120, 0}, {120, 119}, 200, 2);
+  cv::Mat1b image(120, 160, uchar{90});
+  cv::circle(image, {60, 70}, 16, 200, 2);
+  cv::line(image, {120, 0}, {120, 119}, 200, 2);
   SaliencyFinder finder(only(&SaliencySettings::shape));
-  const cv::Point at = highest(find(finder, picture));
+  const cv::Point at = highest(find(finder, image));
   EXPECT_NEAR(at.x, 60, 4);
   EXPECT_NEAR(at.y, 70, 4);
 }
@@ -72,11 +72,11 @@ TEST(SaliencyChannels, MotionFindsWhatMovesAndNotTheTurnOfTheHead) {
 }
 
 TEST(SaliencyChannels, EnergyAndTheShapeOfEveryInstructionSetAreTheSame) {
-  const cv::Mat1b picture = reference::texture({161, 107}, 5);
+  const cv::Mat1b image = reference::texture({161, 107}, 5);
   cv::Mat1f first;
   reference::on_every_target([&](const std::string& name) {
     SaliencyFinder finder{SaliencySettings{}};
-    const cv::Mat1f now = find(finder, picture).salience;
+    const cv::Mat1f now = find(finder, image).salience;
     if (first.empty()) first = now;
     EXPECT_EQ(cv::norm(first, now, cv::NORM_INF), 0.0) << name;
   });
@@ -92,12 +92,12 @@ void expect_close(const cv::Mat1f& fast, const cv::Mat1d& plain, double bound,
 }
 
 TEST(SaliencyChannels, TextureAndShapeFollowTheirFormulasOnEveryInstructionSet) {
-  const cv::Mat1b picture = reference::texture({163, 118}, 5);
+  const cv::Mat1b image = reference::texture({163, 118}, 5);
   V1Responses responses;
-  V1Cells(V1Settings{}).respond(picture, 0, false, responses);
+  V1Cells(V1Settings{}).respond(image, 0, false, responses);
   reference::Energy energy;
   for (std::size_t i = 0; i < energy.size(); ++i) {
-    cv::Mat1d plane(picture.size());
+    cv::Mat1d plane(image.size());
     for (int v = 0; v < plane.rows; ++v) {
       for (int u = 0; u < plane.cols; ++u) {
         plane(v, u) = complex_response(responses.code[i].row(v)[u]) / responses.gain;
@@ -131,7 +131,7 @@ TEST(SaliencyChannels, MotionFollowsItsFormulaOnEveryInstructionSet) {
   const cv::Mat1d plain = reference::motion_channel(now_d, before_d, shift);
   EXPECT_EQ(shift, cv::Point(4, 0));
   reference::on_every_target([&](const std::string& name) {
-    PictureChange change;
+    ImageChange change;
     cv::Mat1f sum(now.size(), 0.0F);
     change.add(before_f, sum);
     change.add(now_f, sum);
@@ -162,7 +162,7 @@ TEST(SaliencyChannels, TheBorderIsNeitherPreferredNorOverlooked) {
   }
 }
 
-TEST(SaliencyChannels, EveryPictureSizeAndABlankOneGiveAnAnswer) {
+TEST(SaliencyChannels, EveryImageSizeAndABlankOneGiveAnAnswer) {
   for (const cv::Size size : {cv::Size(1, 1), cv::Size(7, 5), cv::Size(161, 107)}) {
     SaliencySettings all;
     all.motion = 1.0;
@@ -174,4 +174,4 @@ TEST(SaliencyChannels, EveryPictureSizeAndABlankOneGiveAnAnswer) {
 }
 
 }  // namespace
-}  // namespace striate
+}  // namespace striate::perception

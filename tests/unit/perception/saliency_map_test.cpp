@@ -3,28 +3,28 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "perception/saliency/saliency.hpp"
+#include "striate/perception/saliency/saliency.hpp"
 #include "tests/reference/saliency_reference.hpp"
 #include "tests/reference/stereo_pairs.hpp"
 #include "tests/unit/perception/obstacles_synthetic_room.hpp"
 
-namespace striate {
+namespace striate::perception {
 namespace {
 
 /// Greyish noise with coloured patches at known places.
 cv::Mat3b scene() {
-  cv::Mat3b picture(120, 160);
+  cv::Mat3b image(120, 160);
   for (int v = 0; v < 120; ++v) {
     for (int u = 0; u < 160; ++u) {
       const double n = 6.0 * synthetic::noise(static_cast<std::uint64_t>(v) * 160 + u);
-      picture(v, u) = cv::Vec3b(cv::saturate_cast<uchar>(120 + 0.3 * u + n),
-                                cv::saturate_cast<uchar>(125 + 0.3 * u + n),
-                                cv::saturate_cast<uchar>(118 + 0.3 * v + n));
+      image(v, u) = cv::Vec3b(cv::saturate_cast<uchar>(120 + 0.3 * u + n),
+                              cv::saturate_cast<uchar>(125 + 0.3 * u + n),
+                              cv::saturate_cast<uchar>(118 + 0.3 * v + n));
     }
   }
-  cv::rectangle(picture, {30, 40, 16, 20}, {30, 30, 210}, cv::FILLED);
-  cv::rectangle(picture, {110, 70, 10, 10}, {200, 120, 30}, cv::FILLED);
-  return picture;
+  cv::rectangle(image, {30, 40, 16, 20}, {30, 30, 210}, cv::FILLED);
+  cv::rectangle(image, {110, 70, 10, 10}, {200, 120, 30}, cv::FILLED);
+  return image;
 }
 
 DisparityMap disparity_with_near_box() {
@@ -36,15 +36,15 @@ DisparityMap disparity_with_near_box() {
   return map;
 }
 
-SaliencyMap find(const cv::Mat3b& picture, const DisparityMap& map) {
-  return find_salience(picture, map, ViewGeometry(map, {}, {}), {});
+SaliencyMap find(const cv::Mat3b& image, const DisparityMap& map) {
+  return find_salience(image, map, ViewGeometry(map, {}, {}), {});
 }
 
-void expect_close_to_reference(const cv::Mat3b& picture, const DisparityMap& map) {
+void expect_close_to_reference(const cv::Mat3b& image, const DisparityMap& map) {
   const SaliencySettings s;
-  const cv::Mat1f fast = find(picture, map).salience;
+  const cv::Mat1f fast = find(image, map).salience;
   const cv::Mat1d plain =
-      reference::salience(picture, map.disparity_px, s.near_px, s.near_gain, s.least_contrast);
+      reference::salience(image, map.disparity_px, s.near_px, s.near_gain, s.least_contrast);
   double worst = 0.0;
   double mean = 0.0;
   for (int v = 0; v < fast.rows; ++v) {
@@ -64,7 +64,7 @@ TEST(Saliency, AgreesWithTheDirectSumOfThePaper) {
   expect_close_to_reference(scene(), synthetic::empty_map());
 }
 
-TEST(Saliency, AgreesWithTheDirectSumOnPicturesOfRoomsAndAPhotograph) {
+TEST(Saliency, AgreesWithTheDirectSumOnImagesOfRoomsAndAPhotograph) {
   std::vector<cv::Mat3b> pictures;
   for (const std::uint64_t seed : {1, 2}) {
     pictures.push_back(reference::PaintedRoom(seed).paint().left);
@@ -72,9 +72,9 @@ TEST(Saliency, AgreesWithTheDirectSumOnPicturesOfRoomsAndAPhotograph) {
   const std::string photograph =
       reference::shared_data(STRIATE_SHARED_DATA) + "/stereo/motorcycle/left.png";
   if (std::filesystem::exists(photograph)) pictures.push_back(cv::imread(photograph));
-  for (cv::Mat3b& picture : pictures) {
-    cv::resize(picture, picture, {160, 120}, 0, 0, cv::INTER_AREA);
-    expect_close_to_reference(picture, synthetic::empty_map());
+  for (cv::Mat3b& image : pictures) {
+    cv::resize(image, image, {160, 120}, 0, 0, cv::INTER_AREA);
+    expect_close_to_reference(image, synthetic::empty_map());
   }
 }
 
@@ -100,18 +100,18 @@ TEST(Saliency, ANearThingIsSalientAndHasItsDistance) {
 }
 
 TEST(Saliency, NoiseOnABlankWallStaysDim) {
-  cv::Mat3b picture(120, 160);
+  cv::Mat3b image(120, 160);
   for (int i = 0; i < 120 * 160; ++i) {
     const double n = 3.0 * synthetic::noise(i);
-    picture(i / 160, i % 160) = cv::Vec3b::all(cv::saturate_cast<uchar>(100.0 + n));
+    image(i / 160, i % 160) = cv::Vec3b::all(cv::saturate_cast<uchar>(100.0 + n));
   }
-  EXPECT_TRUE(find(picture, synthetic::empty_map()).regions.empty());
+  EXPECT_TRUE(find(image, synthetic::empty_map()).regions.empty());
 }
 
-TEST(Saliency, TakesAnyPictureSize) {
+TEST(Saliency, TakesAnyImageSize) {
   for (const cv::Size size : {cv::Size(1, 1), cv::Size(7, 5), cv::Size(161, 107)}) {
-    const cv::Mat3b picture(size, cv::Vec3b(1, 2, 3));
-    EXPECT_EQ(find(picture, {}).salience.size(), size);
+    const cv::Mat3b image(size, cv::Vec3b(1, 2, 3));
+    EXPECT_EQ(find(image, {}).salience.size(), size);
   }
   EXPECT_TRUE(find({}, {}).salience.empty());
 }
@@ -129,4 +129,4 @@ TEST(Gaussian, GivesTheBitsOfOpenCVs) {
 }
 
 }  // namespace
-}  // namespace striate
+}  // namespace striate::perception

@@ -2,10 +2,10 @@
 
 #include <opencv2/core.hpp>
 
-#include "perception/stereo/decision.hpp"
-#include "perception/stereo/gap_filling.hpp"
+#include "striate/perception/stereo/decision.hpp"
+#include "striate/perception/stereo/gap_filling.hpp"
 
-namespace striate {
+namespace striate::perception {
 namespace {
 
 constexpr int kWidth = 40, kHeight = 30;
@@ -96,4 +96,4 @@ TEST(StereoPromise, GrowsWithTheScoreAndStaysAShare) {
 }
 
 }  // namespace
-}  // namespace striate
+}  // namespace striate::perception

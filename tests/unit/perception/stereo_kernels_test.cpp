@@ -1,16 +1,16 @@
 #include <gtest/gtest.h>
 
-#include "perception/stereo/match_kernels.hpp"
-#include "perception/stereo/median_kernel.hpp"
-#include "perception/stereo/phase_costs.hpp"
-#include "perception/stereo/semi_global.hpp"
-#include "perception/stereo/winner_kernels.hpp"
+#include "striate/perception/stereo/match_kernels.hpp"
+#include "striate/perception/stereo/median_kernel.hpp"
+#include "striate/perception/stereo/phase_costs.hpp"
+#include "striate/perception/stereo/semi_global.hpp"
+#include "striate/perception/stereo/winner_kernels.hpp"
 #include "tests/reference/every_target.hpp"
 #include "tests/reference/semi_global_reference.hpp"
 #include "tests/reference/stereo_reference.hpp"
-#include "tests/reference/test_pictures.hpp"
+#include "tests/reference/test_images.hpp"
 
-namespace striate {
+namespace striate::perception {
 namespace {
 
 using reference::hash_noise;
@@ -98,16 +98,16 @@ TEST(BestMatches, CountAllBitsDifferingAs255) {
 TEST(Median, IsThatOf25PixelsOnEveryInstructionSet) {
   for (const cv::Size size : {cv::Size(160, 12), cv::Size(67, 5), cv::Size(3, 2), cv::Size(1, 1)}) {
     for (const int levels : {2, 5, 256}) {
-      cv::Mat1b picture(size);
+      cv::Mat1b image(size);
       Plane<std::uint8_t> values, median;
       values.resize(size.width, size.height, 2, 0);
       for (int y = 0; y < size.height; ++y) {
         for (int x = 0; x < size.width; ++x) {
-          picture(y, x) = static_cast<std::uint8_t>((hash_noise(x, y, 1) & 255) * levels / 256);
-          values.row(y)[x] = picture(y, x);
+          image(y, x) = static_cast<std::uint8_t>((hash_noise(x, y, 1) & 255) * levels / 256);
+          values.row(y)[x] = image(y, x);
         }
       }
-      const cv::Mat1b expected = reference::median5(picture);
+      const cv::Mat1b expected = reference::median5(image);
       reference::on_every_target([&](const std::string& name) {
         stereo_kernels::median_5x5(values, median);
         for (int y = 0; y < size.height; ++y) {
@@ -209,7 +209,7 @@ TEST(SemiGlobal, SumsThePathCostsOfThePlainReferenceOnEveryInstructionSet) {
   }
 }
 
-TEST(FindWinners, NameWinnerRunnerUpAndTheRightPicturesWinnerOnEveryInstructionSet) {
+TEST(FindWinners, NameWinnerRunnerUpAndTheRightImagesWinnerOnEveryInstructionSet) {
   constexpr int kWidth = 45, kDisparities = 20;
   Volume<std::uint16_t> steep;
   Volume<std::uint8_t> level, costs;
@@ -260,4 +260,4 @@ TEST(FindWinners, NameWinnerRunnerUpAndTheRightPicturesWinnerOnEveryInstructionS
 }
 
 }  // namespace
-}  // namespace striate
+}  // namespace striate::perception

@@ -1,20 +1,20 @@
-#include "perception/stereo/stereo_matcher.hpp"
+#include "striate/perception/stereo/stereo_matcher.hpp"
 
 #include <gtest/gtest.h>
 
-#include "base/user_error.hpp"
-#include "perception/stereo/decision.hpp"
+#include "striate/base/user_error.hpp"
+#include "striate/perception/stereo/decision.hpp"
 #include "tests/reference/every_target.hpp"
-#include "tests/reference/test_pictures.hpp"
+#include "tests/reference/test_images.hpp"
 
-namespace striate {
+namespace striate::perception {
 namespace {
 
 const cv::Size kSize{160, 120};
 
-StereoMatcher matcher(StereoSetting setting) {
+StereoMatcher matcher(StereoMode mode) {
   StereoSettings settings;
-  settings.setting = setting;
+  settings.mode = mode;
   return StereoMatcher(settings);
 }
 
@@ -24,7 +24,7 @@ struct Summary {
   double confidence = 0.0;  ///< mean over all judged pixels, unknown ones count as 0
 };
 
-/// Judges columns from `from_x` on, away from the picture's border.
+/// Judges columns from `from_x` on, away from the image's border.
 Summary summarise(const DisparityMap& map, double expected_px, int from_x) {
   Summary result;
   int judged = 0, known = 0, right = 0;
@@ -44,10 +44,10 @@ Summary summarise(const DisparityMap& map, double expected_px, int from_x) {
 }
 
 TEST(StereoMatcher, FindsTheShiftOfAShiftedTexture) {
-  for (const StereoSetting setting : {StereoSetting::paper, StereoSetting::robust}) {
-    StereoMatcher stereo = matcher(setting);
+  for (const StereoMode mode : {StereoMode::paper, StereoMode::robust}) {
+    StereoMatcher stereo = matcher(mode);
     for (const int shift : {0, 1, 7, 30, 60}) {
-      // What is at x in the left picture is at x - shift in the right one.
+      // What is at x in the left image is at x - shift in the right one.
       const Summary found =
           summarise(stereo.match(reference::texture(kSize, 1), reference::texture(kSize, 1, shift)),
                     shift, shift + 12);
@@ -58,19 +58,19 @@ TEST(StereoMatcher, FindsTheShiftOfAShiftedTexture) {
 }
 
 TEST(StereoMatcher, RobustFindsHalfPixels) {
-  // Both pictures are means over two pixels of one drawn at twice the width.
+  // Both images are means over two pixels of one drawn at twice the width.
   const cv::Mat1b fine = reference::texture({2 * kSize.width + 32, kSize.height}, 2);
   auto eye = [&](int shift) {
-    cv::Mat1b picture(kSize);
+    cv::Mat1b image(kSize);
     for (int y = 0; y < kSize.height; ++y) {
       for (int x = 0; x < kSize.width; ++x) {
         const int u = 2 * x + shift;
-        picture(y, x) = static_cast<std::uint8_t>((fine(y, u) + fine(y, u + 1) + 1) / 2);
+        image(y, x) = static_cast<std::uint8_t>((fine(y, u) + fine(y, u + 1) + 1) / 2);
       }
     }
-    return picture;
+    return image;
   };
-  const DisparityMap map = matcher(StereoSetting::robust).match(eye(0), eye(15));
+  const DisparityMap map = matcher(StereoMode::robust).match(eye(0), eye(15));
   double sum = 0.0;
   int count = 0;
   for (int y = 10; y < 110; ++y) {
@@ -84,8 +84,8 @@ TEST(StereoMatcher, RobustFindsHalfPixels) {
   EXPECT_LT(sum / count, 0.3) << "whole pixels would be 0.5 off";
 }
 
-TEST(StereoMatcher, ABlankPictureIsUnknownNotANumber) {
-  StereoMatcher stereo = matcher(StereoSetting::robust);
+TEST(StereoMatcher, ABlankImageIsUnknownNotANumber) {
+  StereoMatcher stereo = matcher(StereoMode::robust);
   for (const int grey : {0, 130, 255}) {
     const cv::Mat1b blank(kSize, static_cast<std::uint8_t>(grey));
     const DisparityMap map = stereo.match(blank, blank);
@@ -125,7 +125,7 @@ TEST(StereoMatcher, WhatOnlyTheLeftEyeSeesIsMostlyUnknown) {
   const cv::Mat1b front = reference::texture(square.size(), 4);
   front.copyTo(left(square));
   front.copyTo(right(square - cv::Point(kNear, 0)));
-  const DisparityMap map = matcher(StereoSetting::robust).match(left, right);
+  const DisparityMap map = matcher(StereoMode::robust).match(left, right);
   int hidden_known = 0, front_right = 0;
   for (int y = square.y + 4; y < square.br().y - 4; ++y) {
     // Background at x is hidden where x - kFar falls onto the square seen by the right eye.
@@ -141,7 +141,7 @@ TEST(StereoMatcher, WhatOnlyTheLeftEyeSeesIsMostlyUnknown) {
 }
 
 TEST(StereoMatcher, NoiseLowersConfidence) {
-  StereoMatcher stereo = matcher(StereoSetting::robust);
+  StereoMatcher stereo = matcher(StereoMode::robust);
   const cv::Mat1b left = reference::texture(kSize, 1, 0, 40);
   const cv::Mat1b right = reference::texture(kSize, 1, 9, 40);
   double before = 1.1;
@@ -155,7 +155,7 @@ TEST(StereoMatcher, NoiseLowersConfidence) {
 }
 
 TEST(StereoMatcher, ConfidenceKeepsItsPromiseInNoise) {
-  StereoMatcher stereo = matcher(StereoSetting::robust);
+  StereoMatcher stereo = matcher(StereoMode::robust);
   const DisparityMap map =
       stereo.match(reference::with_noise(reference::texture(kSize, 1, 0, 50), 14.0, 1),
                    reference::with_noise(reference::texture(kSize, 1, 9, 50), 14.0, 2));
@@ -172,7 +172,7 @@ TEST(StereoMatcher, ConfidenceKeepsItsPromiseInNoise) {
 }
 
 TEST(StereoMatcher, ARepetitiveTextureIsLessCertainThanAUniqueOne) {
-  StereoMatcher stereo = matcher(StereoSetting::robust);
+  StereoMatcher stereo = matcher(StereoMode::robust);
   cv::Mat1b stripes(kSize);
   for (int y = 0; y < kSize.height; ++y) {
     for (int x = 0; x < kSize.width; ++x) {
@@ -188,8 +188,8 @@ TEST(StereoMatcher, ARepetitiveTextureIsLessCertainThanAUniqueOne) {
 TEST(StereoMatcher, GivesTheSameBitsOnEveryInstructionSet) {
   const cv::Mat1b left = reference::with_noise(reference::texture({131, 47}, 1), 5.0, 1);
   const cv::Mat1b right = reference::with_noise(reference::texture({131, 47}, 1, 6), 5.0, 2);
-  for (const StereoSetting setting : {StereoSetting::paper, StereoSetting::robust}) {
-    StereoMatcher stereo = matcher(setting);
+  for (const StereoMode mode : {StereoMode::paper, StereoMode::robust}) {
+    StereoMatcher stereo = matcher(mode);
     DisparityMap first;
     reference::on_every_target([&](const std::string& name) {
       const DisparityMap map = stereo.match(left, right);
@@ -205,7 +205,7 @@ TEST(StereoMatcher, GivesTheSameBitsOnEveryInstructionSet) {
 }
 
 TEST(StereoMatcher, GivesTheSameForTheSecondPairAsForTheFirst) {
-  StereoMatcher stereo = matcher(StereoSetting::robust);
+  StereoMatcher stereo = matcher(StereoMode::robust);
   const cv::Mat1b left = reference::texture({90, 50}, 1),
                   right = reference::texture({90, 50}, 1, 5);
   const DisparityMap first = stereo.match(left, right);
@@ -216,7 +216,7 @@ TEST(StereoMatcher, GivesTheSameForTheSecondPairAsForTheFirst) {
 }
 
 TEST(StereoMatcher, UsesTheMatricesOfTheResultAgain) {
-  StereoMatcher stereo = matcher(StereoSetting::robust);
+  StereoMatcher stereo = matcher(StereoMode::robust);
   const cv::Mat1b left = reference::texture({90, 50}, 1);
   DisparityMap map;
   stereo.match(left, left, map);
@@ -225,9 +225,9 @@ TEST(StereoMatcher, UsesTheMatricesOfTheResultAgain) {
   EXPECT_EQ(map.disparity_px.data, data);
 }
 
-TEST(StereoMatcher, TakesPicturesOfAnySize) {
-  for (const StereoSetting setting : {StereoSetting::paper, StereoSetting::robust}) {
-    StereoMatcher stereo = matcher(setting);
+TEST(StereoMatcher, TakesImagesOfAnySize) {
+  for (const StereoMode mode : {StereoMode::paper, StereoMode::robust}) {
+    StereoMatcher stereo = matcher(mode);
     for (const cv::Size size : {cv::Size(1, 1), cv::Size(2, 9), cv::Size(17, 1), cv::Size(63, 65),
                                 cv::Size(64, 64), cv::Size(321, 13)}) {
       const DisparityMap map =
@@ -241,10 +241,10 @@ TEST(StereoMatcher, TakesPicturesOfAnySize) {
 TEST(StereoMatcher, TakesAnyNumberOfCandidates) {
   const cv::Mat1b left = reference::texture({120, 20}, 1),
                   right = reference::texture({120, 20}, 1, 3);
-  for (const StereoSetting setting : {StereoSetting::paper, StereoSetting::robust}) {
+  for (const StereoMode mode : {StereoMode::paper, StereoMode::robust}) {
     for (const int candidates : {1, 2, 5, 255, 256}) {
       StereoSettings settings;
-      settings.setting = setting;
+      settings.mode = mode;
       settings.candidates = candidates;
       settings.robust.speckle_px = 0;
       const DisparityMap map = StereoMatcher(settings).match(left, right);
@@ -255,8 +255,8 @@ TEST(StereoMatcher, TakesAnyNumberOfCandidates) {
   }
 }
 
-TEST(StereoMatcher, SaysWhatIsWrongWithItsPictures) {
-  StereoMatcher stereo = matcher(StereoSetting::robust);
+TEST(StereoMatcher, SaysWhatIsWrongWithItsImages) {
+  StereoMatcher stereo = matcher(StereoMode::robust);
   const cv::Mat1b small(10, 20, std::uint8_t{0}), large(10, 21, std::uint8_t{0});
   EXPECT_THROW((void)stereo.match(cv::Mat1b(), cv::Mat1b()), std::invalid_argument);
   try {
@@ -294,4 +294,4 @@ TEST(StereoScore, IsLowWhereAnotherDisparityIsAsGood) {
 }
 
 }  // namespace
-}  // namespace striate
+}  // namespace striate::perception

@@ -2,12 +2,12 @@
 
 #include <gtest/gtest.h>
 
-#include "perception/stereo/stereo_matcher.hpp"
+#include "striate/perception/stereo/stereo_matcher.hpp"
 #include "tests/reference/stereo_reference.hpp"
 
-/// Pictures with ground truth: painted rooms, and photographs where the public data is at hand. The
+/// Images with ground truth: painted rooms, and photographs where the public data is at hand. The
 /// whole table is printed by tests/evaluation/stereo_table.
-namespace striate {
+namespace striate::perception {
 namespace {
 
 std::vector<reference::StereoPair> rooms() {
@@ -31,7 +31,7 @@ struct PaperScore {
 
 PaperScore paper_score(const std::vector<reference::StereoPair>& pairs) {
   StereoSettings settings;
-  settings.setting = StereoSetting::paper;
+  settings.mode = StereoMode::paper;
   settings.candidates = 150;
   StereoMatcher stereo(settings);
   PaperScore mean;
@@ -62,7 +62,7 @@ TEST(StereoPairs, ThePaperSettingIsAsGoodAsItsExactReference) {
 
 void expect_half_the_errors(const std::vector<reference::StereoPair>& pairs, double least_density) {
   StereoSettings paper;
-  paper.setting = StereoSetting::paper;
+  paper.mode = StereoMode::paper;
   StereoMatcher by_paper(paper), robust{StereoSettings{}};
   for (const reference::StereoPair& pair : pairs) {
     const reference::StereoScore before =
@@ -82,4 +82,4 @@ TEST(StereoPairs, TheRobustSettingHalvesThePapersErrorsAndKeepsMostPixels) {
 }
 
 }  // namespace
-}  // namespace striate
+}  // namespace striate::perception

@@ -1,15 +1,15 @@
-#include "perception/v1/v1_cells.hpp"
+#include "striate/perception/v1/v1_cells.hpp"
 
 #include <gtest/gtest.h>
 
 #include <numbers>
 
 #include "tests/reference/every_target.hpp"
-#include "tests/reference/test_pictures.hpp"
+#include "tests/reference/test_images.hpp"
 #include "tests/reference/v1_integer_reference.hpp"
 #include "tests/reference/v1_reference.hpp"
 
-namespace striate {
+namespace striate::perception {
 namespace {
 
 std::vector<V1Settings> all_settings() {
@@ -40,12 +40,12 @@ TEST(V1Cells, EveryInstructionSetGivesTheBitsOfTheScalarReference) {
     V1Cells cells(settings);
     for (const cv::Size size :
          {cv::Size(67, 21), cv::Size(33, 34), cv::Size(1, 1), cv::Size(3, 40)}) {
-      const cv::Mat1b picture = reference::texture(size, 5, 0, 127);
-      const reference::V1Integers plain = reference::integer_responses(picture, cells.bank());
+      const cv::Mat1b image = reference::texture(size, 5, 0, 127);
+      const reference::V1Integers plain = reference::integer_responses(image, cells.bank());
       int targets = 0;
       reference::on_every_target([&](const std::string& name) {
         V1Responses fast;
-        cells.respond(picture, 3, true, fast);
+        cells.respond(image, 3, true, fast);
         expect_same(fast, plain, name + " " + std::to_string(settings.wavelength_px));
         ++targets;
       });
@@ -63,15 +63,15 @@ void expect_rows(const Plane<std::int16_t>& a, const Plane<std::int16_t>& b, int
 
 TEST(V1Cells, SimpleCellsAloneAreTheSameOnEveryInstructionSet) {
   const cv::Size size(67, 21);
-  const cv::Mat1b picture = reference::texture(size, 5, 0, 127);
+  const cv::Mat1b image = reference::texture(size, 5, 0, 127);
   for (const V1Settings& settings : all_settings()) {
     V1Cells cells(settings);
     V1Responses all;
-    cells.respond(picture, 3, true, all);
+    cells.respond(image, 3, true, all);
     reference::on_every_target([&](const std::string& name) {
       V1Responses both, odd;
-      cells.respond_simple(picture, SimpleCells::even_and_odd, both);
-      cells.respond_simple(picture, SimpleCells::odd, odd);
+      cells.respond_simple(image, SimpleCells::even_and_odd, both);
+      cells.respond_simple(image, SimpleCells::odd, odd);
       EXPECT_EQ(odd.even[0].height(), 0) << name;
       for (std::size_t i = 0; i < kOrientations; ++i) {
         expect_rows(both.even[i], all.even[i], size.width, name + ", even");
@@ -93,18 +93,18 @@ cv::Mat1w fine_texture(cv::Size size) {
 }
 
 TEST(V1Cells, SixteenthsOfAGreyLevelCountOnEveryInstructionSet) {
-  const cv::Mat1w picture = fine_texture({67, 21});
+  const cv::Mat1w image = fine_texture({67, 21});
   for (const V1Settings& settings : all_settings()) {
     V1Cells cells(settings);
-    const reference::V1Integers plain = reference::integer_responses(picture, cells.bank());
+    const reference::V1Integers plain = reference::integer_responses(image, cells.bank());
     reference::on_every_target([&](const std::string& name) {
       V1Responses fast;
-      cells.respond(picture, 3, true, fast);
+      cells.respond(image, 3, true, fast);
       expect_same(fast, plain, name);
     });
-    const reference::V1Reference exact = reference::respond(picture, settings);
+    const reference::V1Reference exact = reference::respond(image, settings);
     V1Responses fast;
-    cells.respond(picture, 3, true, fast);
+    cells.respond(image, 3, true, fast);
     EXPECT_NEAR(fast.even[2].row(9)[30] / fast.gain, exact.even[2](9, 30),
                 0.02 * std::sqrt(exact.energy[2](9, 30)) + 2.0 / fast.gain);
   }
@@ -147,16 +147,16 @@ TEST(FilterBank, EveryRowFilterIsEvenOrOddForAnySettings) {
 }
 
 TEST(V1Cells, RespondsAsTheModelInDoublePrecision) {
-  const cv::Mat1b picture = reference::texture({80, 60}, 3);
+  const cv::Mat1b image = reference::texture({80, 60}, 3);
   for (const V1Settings& settings : all_settings()) {
     V1Cells cells(settings);
     V1Responses fast;
-    cells.respond(picture, 0, true, fast);
-    const reference::V1Reference exact = reference::respond(picture, settings);
+    cells.respond(image, 0, true, fast);
+    const reference::V1Reference exact = reference::respond(image, settings);
     for (std::size_t i = 0; i < kOrientations; ++i) {
       double error = 0.0, size = 0.0;
-      for (int y = 0; y < picture.rows; ++y) {
-        for (int x = 0; x < picture.cols; ++x) {
+      for (int y = 0; y < image.rows; ++y) {
+        for (int x = 0; x < image.cols; ++x) {
           const double even = fast.even[i].row(y)[x] / fast.gain - exact.even[i](y, x);
           const double odd = fast.odd[i].row(y)[x] / fast.gain - exact.odd[i](y, x);
           error += even * even + odd * odd;
@@ -227,11 +227,11 @@ TEST(V1Cells, ContinueTheCodesBeyondTheBorder) {
   EXPECT_EQ(fast.code[1].row(4)[24], fast.code[1].row(4)[19]);
 }
 
-TEST(V1Cells, RefuseAnEmptyPicture) {
+TEST(V1Cells, RefuseAnEmptyImage) {
   V1Cells cells({});
   V1Responses fast;
   EXPECT_THROW(cells.respond(cv::Mat1b(), 0, false, fast), std::invalid_argument);
 }
 
 }  // namespace
-}  // namespace striate
+}  // namespace striate::perception

@@ -1,10 +1,10 @@
 #include <gtest/gtest.h>
 
-#include "platform/pioneer/arcos/command.hpp"
-#include "platform/pioneer/arcos/config_pac.hpp"
-#include "platform/pioneer/arcos/other_packets.hpp"
-#include "platform/pioneer/arcos/packet_stream.hpp"
-#include "platform/pioneer/arcos/sip.hpp"
+#include "striate/platform/pioneer/arcos/command.hpp"
+#include "striate/platform/pioneer/arcos/config_pac.hpp"
+#include "striate/platform/pioneer/arcos/other_packets.hpp"
+#include "striate/platform/pioneer/arcos/packet_stream.hpp"
+#include "striate/platform/pioneer/arcos/sip.hpp"
 #include "tests/reference/captures.hpp"
 
 namespace striate::pioneer::arcos {

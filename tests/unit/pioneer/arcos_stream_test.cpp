@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <random>
 
-#include "platform/pioneer/arcos/command.hpp"
-#include "platform/pioneer/arcos/packet_stream.hpp"
+#include "striate/platform/pioneer/arcos/command.hpp"
+#include "striate/platform/pioneer/arcos/packet_stream.hpp"
 #include "tests/reference/captures.hpp"
 
 namespace striate::pioneer::arcos {

@@ -1,4 +1,4 @@
-#include "platform/pioneer/base_state.hpp"
+#include "striate/platform/pioneer/base_state.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
-#include "platform/pioneer/driver_thread.hpp"
+#include "striate/platform/pioneer/driver_thread.hpp"
 
 #include <gtest/gtest.h>
 
 #include <atomic>
 #include <thread>
 
-#include "platform/pioneer/steady_clock.hpp"
+#include "striate/platform/pioneer/steady_clock.hpp"
 #include "tests/unit/pioneer/test_bed.hpp"
 
 namespace striate::pioneer {

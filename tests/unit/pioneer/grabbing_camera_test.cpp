@@ -3,10 +3,11 @@
 #include <opencv2/videoio.hpp>
 #include <thread>
 
-#include "base/user_error.hpp"
-#include "platform/pioneer/camera/bumblebee_picture.hpp"
-#include "platform/pioneer/camera/stereo_camera.hpp"
-#include "platform/pioneer/steady_clock.hpp"
+#include "striate/base/user_error.hpp"
+#include "striate/platform/pioneer/camera/bumblebee_image.hpp"
+#include "striate/platform/pioneer/camera/make_stereo_camera.hpp"
+#include "striate/platform/pioneer/camera/stereo_camera.hpp"
+#include "striate/platform/pioneer/steady_clock.hpp"
 #include "tests/reference/temporary_folder.hpp"
 
 namespace striate::pioneer {
@@ -14,24 +15,24 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// Both eyes side by side: dark left, bright right; each picture a little brighter.
+/// Both eyes side by side: dark left, bright right; each image a little brighter.
 void write_video(const std::string& file, int pictures) {
   cv::VideoWriter writer(file, cv::CAP_OPENCV_MJPEG, cv::VideoWriter::fourcc('M', 'J', 'P', 'G'),
                          20.0, cv::Size(640, 240));
   ASSERT_TRUE(writer.isOpened());
   for (int i = 0; i < pictures; ++i) {
-    cv::Mat3b picture(240, 640);
-    picture.colRange(0, 320).setTo(cv::Scalar::all(40 + i));
-    picture.colRange(320, 640).setTo(cv::Scalar::all(160 + i));
-    writer.write(picture);
+    cv::Mat3b image(240, 640);
+    image.colRange(0, 320).setTo(cv::Scalar::all(40 + i));
+    image.colRange(320, 640).setTo(cv::Scalar::all(160 + i));
+    writer.write(image);
   }
 }
 
-double brightness(const cv::Mat3b& picture) {
-  return cv::mean(picture)[1];
+double brightness(const cv::Mat3b& image) {
+  return cv::mean(image)[1];
 }
 
-StereoFrame first_picture(const StereoCamera& camera) {
+StereoFrame first_image(const StereoCamera& camera) {
   const auto end = std::chrono::steady_clock::now() + 5s;
   StereoFrame frame = camera.newest();
   while (frame.left.empty() && std::chrono::steady_clock::now() < end) {
@@ -48,7 +49,7 @@ TEST(GrabbingCamera, PlaysAVideoThatShowsBothEyesSideBySide) {
   StereoCameraSettings settings;
   settings.width_px = 160;
   const auto camera = make_stereo_camera("video:" + (folder / "drive.avi"), settings, clock);
-  const StereoFrame first = first_picture(*camera);
+  const StereoFrame first = first_image(*camera);
   ASSERT_EQ(first.left.size(), cv::Size(160, 120));
   EXPECT_NEAR(brightness(first.left), 40.0, 15.0);
   EXPECT_NEAR(brightness(first.right), 160.0, 15.0);
@@ -69,7 +70,7 @@ TEST(GrabbingCamera, ExchangesTheEyesWhereItIsTold) {
   StereoCameraSettings settings;
   settings.swap = true;
   const auto camera = make_stereo_camera("video:" + (folder / "drive.avi"), settings, clock);
-  const StereoFrame frame = first_picture(*camera);
+  const StereoFrame frame = first_image(*camera);
   ASSERT_FALSE(frame.left.empty());
   EXPECT_GT(brightness(frame.left), brightness(frame.right) + 80.0);
 }
@@ -81,12 +82,12 @@ TEST(GrabbingCamera, TakesOneVideoForEachEye) {
   const SteadyClock clock;
   const auto camera = make_stereo_camera(
       "video:" + (folder / "left.avi") + "," + (folder / "right.avi"), {}, clock);
-  const StereoFrame frame = first_picture(*camera);
+  const StereoFrame frame = first_image(*camera);
   EXPECT_EQ(frame.left.size(), cv::Size(320, 120));
   EXPECT_NEAR(brightness(frame.left), brightness(frame.right), 5.0);
 }
 
-TEST(GrabbingCamera, TellsWhyNoPictureComes) {
+TEST(GrabbingCamera, TellsWhyNoImageComes) {
   const SteadyClock clock;
   const auto camera = make_stereo_camera("video:/no/such/video.avi", {}, clock);
   const auto end = std::chrono::steady_clock::now() + 2s;
@@ -115,7 +116,7 @@ std::vector<std::uint8_t> bumblebee_bytes(cv::Size size, const cv::Vec3b& left,
   return raw;
 }
 
-TEST(Bumblebee, IsTakenApartIntoTwoPicturesInColour) {
+TEST(Bumblebee, IsTakenApartIntoTwoImagesInColour) {
   const cv::Size size(16, 12);
   const cv::Vec3b left(10, 100, 200);
   const cv::Vec3b right(90, 60, 30);

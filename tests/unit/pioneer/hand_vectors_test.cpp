@@ -1,11 +1,11 @@
 #include <gtest/gtest.h>
 
-#include "platform/pioneer/arcos/command.hpp"
-#include "platform/pioneer/arcos/packet_stream.hpp"
-#include "platform/pioneer/arcos/sip.hpp"
-#include "platform/pioneer/laser/lms200.hpp"
-#include "platform/pioneer/laser/scip.hpp"
-#include "platform/pioneer/turret/dynamixel.hpp"
+#include "striate/platform/pioneer/arcos/command.hpp"
+#include "striate/platform/pioneer/arcos/packet_stream.hpp"
+#include "striate/platform/pioneer/arcos/sip.hpp"
+#include "striate/platform/pioneer/laser/lms200.hpp"
+#include "striate/platform/pioneer/laser/scip.hpp"
+#include "striate/platform/pioneer/turret/dynamixel.hpp"
 #include "tests/reference/captures.hpp"
 
 /// Bytes worked out by hand from the protocols' public definitions; the arithmetic stands beside.

@@ -1,8 +1,8 @@
-#include "platform/pioneer/laser/lms_driver.hpp"
+#include "striate/platform/pioneer/laser/lms_driver.hpp"
 
 #include <gtest/gtest.h>
 
-#include "platform/pioneer/firmware/lms_device.hpp"
+#include "striate/platform/pioneer/firmware/lms_device.hpp"
 #include "tests/reference/captures.hpp"
 
 namespace striate::pioneer {

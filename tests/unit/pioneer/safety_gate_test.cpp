@@ -116,7 +116,7 @@ TEST(SafetyGate, ACutLinkIsStoppedByTheRobotAndNeedsAReset) {
   EXPECT_LE(took_s, 2.0 + 2 * kStep_s);
   bed.run(1.0);
   bed.line.plugged = true;
-  bed.run_until([&] { return bed.driver.session().state() == SessionState::ready; }, 20.0);
+  bed.run_until([&] { return bed.driver.session().state() == LinkState::ready; }, 20.0);
   EXPECT_EQ(bed.driver.gate().reason(), HoldReason::link_lost);
   expect_still(bed, 3.0);
   bed.driver.gate().reset(bed.now);
@@ -255,7 +255,7 @@ TEST(SafetyGate, DrivesOnThroughSomeBadPackets) {
     if (!bytes.empty() && random() % 10 == 0) bytes[random() % bytes.size()] ^= 0x20;
   };
   bed.run(20.0);
-  EXPECT_TRUE(bed.driver.session().state() == SessionState::ready);
+  EXPECT_TRUE(bed.driver.session().state() == LinkState::ready);
   EXPECT_GT(bed.senses.true_pose.x_m, 4.0);
   EXPECT_NEAR(bed.base().odometry.pose.x_m, bed.senses.true_pose.x_m, 0.1)
       << "lost packets cost no way";

@@ -17,11 +17,11 @@ Bytes joined(std::initializer_list<Bytes> parts) {
 }
 
 bool ready(const TestBed& bed) {
-  return bed.driver.session().state() == SessionState::ready;
+  return bed.driver.session().state() == LinkState::ready;
 }
 
-TEST(Session, SpeaksTheHandshakeAndStopsBeforeAnythingElse) {
-  Session session({});
+TEST(ArcosSession, SpeaksTheHandshakeAndStopsBeforeAnythingElse) {
+  ArcosSession session({});
   TimePoint now;
   session.line_up(now);
   session.tick(now);
@@ -35,12 +35,12 @@ TEST(Session, SpeaksTheHandshakeAndStopsBeforeAnythingElse) {
   EXPECT_EQ(session.take_output(), command(Command::sync2));
   session.receive(arcos::encode(arcos::write_names({"robot", "Pioneer", "p3dx-sh"})), now);
   EXPECT_EQ(session.take_output(), joined({command(Command::open, 1), command(Command::stop)}));
-  EXPECT_EQ(session.state(), SessionState::opening);
+  EXPECT_EQ(session.state(), LinkState::opening);
   session.receive(arcos::encode(arcos::write_sip({})), now);
   EXPECT_EQ(session.take_output(), command(Command::config, 1));
 }
 
-TEST(Session, GetsReadyAndBelievesTheConfigurationOfTheRobot) {
+TEST(ArcosSession, GetsReadyAndBelievesTheConfigurationOfTheRobot) {
   TestBed bed;
   EXPECT_LT(bed.run_until([&] { return ready(bed); }), 1.0);
   ASSERT_TRUE(bed.driver.session().config());
@@ -49,8 +49,8 @@ TEST(Session, GetsReadyAndBelievesTheConfigurationOfTheRobot) {
   EXPECT_LT(bed.run_until([&] { return bed.base().motors_on; }), 1.0);
 }
 
-TEST(Session, GoesOnWithoutAConfigurationAfterASecond) {
-  Session session({});
+TEST(ArcosSession, GoesOnWithoutAConfigurationAfterASecond) {
+  ArcosSession session({});
   TimePoint now;
   session.line_up(now);
   now += std::chrono::milliseconds(260);
@@ -65,16 +65,16 @@ TEST(Session, GoesOnWithoutAConfigurationAfterASecond) {
     session.tick(now);
     if (session.take_output() == command(Command::config, 1)) ++asked;
   }
-  EXPECT_EQ(session.state(), SessionState::ready);
+  EXPECT_EQ(session.state(), LinkState::ready);
   EXPECT_GE(asked, 4);
   EXPECT_DOUBLE_EQ(session.model().distance_mm, 0.485);
 }
 
-TEST(Session, RefusesARobotOfAnUnknownKindUnlessForced) {
+TEST(ArcosSession, RefusesARobotOfAnUnknownKindUnlessForced) {
   const FirmwareSettings strange{.subclass = "patrolbot-sh"};
   TestBed refused({}, strange);
   refused.run(2.0);
-  EXPECT_EQ(refused.driver.session().state(), SessionState::refused);
+  EXPECT_EQ(refused.driver.session().state(), LinkState::refused);
   EXPECT_THAT(refused.driver.session().trouble(), testing::HasSubstr("patrolbot-sh"));
   EXPECT_FALSE(refused.line.is_open());
   BaseDriverSettings settings;
@@ -83,7 +83,7 @@ TEST(Session, RefusesARobotOfAnUnknownKindUnlessForced) {
   EXPECT_LT(forced.run_until([&] { return ready(forced); }), 1.0);
 }
 
-TEST(Session, EndsAnOlderConnectionFirstAndItsMotionDoesNotWake) {
+TEST(ArcosSession, EndsAnOlderConnectionFirstAndItsMotionDoesNotWake) {
   for (const double pause_s : {0.0, 4.0}) {
     TestBed bed;
     bed.drive();
@@ -94,7 +94,7 @@ TEST(Session, EndsAnOlderConnectionFirstAndItsMotionDoesNotWake) {
     bed.line.to_program.clear();
     BaseDriver second({}, bed.line);
     double waited_s = 0.0;
-    while (second.session().state() != SessionState::ready && waited_s < 5.0) {
+    while (second.session().state() != LinkState::ready && waited_s < 5.0) {
       bed.step();
       second.step(bed.now);
       waited_s += 0.01;
@@ -107,7 +107,7 @@ TEST(Session, EndsAnOlderConnectionFirstAndItsMotionDoesNotWake) {
   }
 }
 
-TEST(Session, ComesThroughAHandshakeOfWhichAnyAnswerIsLost) {
+TEST(ArcosSession, ComesThroughAHandshakeOfWhichAnyAnswerIsLost) {
   for (int lost = 0; lost < 4; ++lost) {
     TestBed bed;
     int packets = 0;
@@ -118,7 +118,7 @@ TEST(Session, ComesThroughAHandshakeOfWhichAnyAnswerIsLost) {
   }
 }
 
-TEST(Session, BacksOffLongerEachTimeWhileNobodyAnswers) {
+TEST(ArcosSession, BacksOffLongerEachTimeWhileNobodyAnswers) {
   TestBed bed;
   bed.robot_speaks = false;
   std::vector<double> pauses_s;
@@ -136,7 +136,7 @@ TEST(Session, BacksOffLongerEachTimeWhileNobodyAnswers) {
   EXPECT_TRUE(bed.driver.session().trouble().empty());
 }
 
-TEST(Session, ReconnectsAfterTheRobotHasBeenSwitchedOffAndOn) {
+TEST(ArcosSession, ReconnectsAfterTheRobotHasBeenSwitchedOffAndOn) {
   TestBed bed;
   bed.drive();
   const double before_m = bed.base().odometry.pose.x_m;
@@ -148,7 +148,7 @@ TEST(Session, ReconnectsAfterTheRobotHasBeenSwitchedOffAndOn) {
   EXPECT_NEAR(bed.base().odometry.pose.x_m, before_m, 0.1) << "one unbroken way";
 }
 
-TEST(Session, ClosesWithAStopMotorsOffAndGoodbye) {
+TEST(ArcosSession, ClosesWithAStopMotorsOffAndGoodbye) {
   TestBed bed;
   bed.drive();
   bed.driver.close();
@@ -159,7 +159,7 @@ TEST(Session, ClosesWithAStopMotorsOffAndGoodbye) {
   EXPECT_FALSE(bed.line.is_open());
 }
 
-TEST(Session, CountsWhatComesBadByKind) {
+TEST(ArcosSession, CountsWhatComesBadByKind) {
   TestBed bed;
   bed.run_until([&] { return ready(bed); });
   Bytes bad = arcos::encode(arcos::write_sip({}));
@@ -177,7 +177,7 @@ TEST(Session, CountsWhatComesBadByKind) {
   EXPECT_TRUE(ready(bed));
 }
 
-TEST(Session, ConnectsDrivesAndDisconnectsAgainAndAgain) {
+TEST(ArcosSession, ConnectsDrivesAndDisconnectsAgainAndAgain) {
   for (int i = 0; i < 20; ++i) {
     TestBed bed;
     bed.drive();

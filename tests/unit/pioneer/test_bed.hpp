@@ -5,8 +5,8 @@
 #include <limits>
 #include <optional>
 
-#include "platform/pioneer/base_driver.hpp"
-#include "platform/pioneer/firmware/arcos_firmware.hpp"
+#include "striate/platform/pioneer/base_driver.hpp"
+#include "striate/platform/pioneer/firmware/arcos_firmware.hpp"
 
 namespace striate::pioneer {
 

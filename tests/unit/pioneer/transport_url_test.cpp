@@ -1,8 +1,8 @@
-#include "platform/pioneer/transport_url.hpp"
+#include "striate/platform/pioneer/transport_url.hpp"
 
 #include <gtest/gtest.h>
 
-#include "base/user_error.hpp"
+#include "striate/base/user_error.hpp"
 
 namespace striate::pioneer {
 namespace {

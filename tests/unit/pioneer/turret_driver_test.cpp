@@ -1,11 +1,11 @@
-#include "platform/pioneer/turret/turret_driver.hpp"
+#include "striate/platform/pioneer/turret/turret_driver.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <functional>
 
-#include "platform/pioneer/firmware/servo_bus.hpp"
+#include "striate/platform/pioneer/firmware/servo_bus.hpp"
 #include "tests/reference/captures.hpp"
 #include "tests/unit/pioneer/test_bed.hpp"
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/geometry.hpp"
-#include "platform/pioneer/turret/arbotix.hpp"
-#include "platform/pioneer/turret/dynamixel.hpp"
+#include "striate/base/geometry.hpp"
+#include "striate/platform/pioneer/turret/arbotix.hpp"
+#include "striate/platform/pioneer/turret/dynamixel.hpp"
 #include "tests/reference/captures.hpp"
 
 namespace striate::pioneer {

@@ -1,11 +1,11 @@
-#include "platform/pioneer/laser/urg_driver.hpp"
+#include "striate/platform/pioneer/laser/urg_driver.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "base/geometry.hpp"
-#include "platform/pioneer/firmware/urg_device.hpp"
+#include "striate/base/geometry.hpp"
+#include "striate/platform/pioneer/firmware/urg_device.hpp"
 #include "tests/reference/captures.hpp"
 
 namespace striate::pioneer {

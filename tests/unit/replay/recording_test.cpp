@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cstring>
 
-#include "base/user_error.hpp"
-#include "platform/replay/recording_reader.hpp"
-#include "platform/replay/replay_robot.hpp"
+#include "striate/base/user_error.hpp"
+#include "striate/platform/replay/recording_reader.hpp"
+#include "striate/platform/replay/replay_robot.hpp"
 #include "tests/reference/recorded_cycles.hpp"
 #include "tests/reference/temporary_folder.hpp"
 
@@ -42,7 +42,7 @@ std::vector<std::uint8_t> bytes_of(const RecordedCycle& cycle) {
   return payload;
 }
 
-bool same_picture(const cv::Mat3b& a, const cv::Mat3b& b) {
+bool same_image(const cv::Mat3b& a, const cv::Mat3b& b) {
   return a.size() == b.size() && std::equal(a.begin(), a.end(), b.begin());
 }
 
@@ -67,8 +67,8 @@ TEST(Recording, GivesBackEveryFieldOfTheSensesBitForBit) {
     EXPECT_EQ(cycle.number, number);
     EXPECT_EQ(a.now, b.now);
     EXPECT_EQ(a.stereo.stamp, b.stereo.stamp);
-    EXPECT_TRUE(same_picture(a.stereo.left, b.stereo.left));
-    EXPECT_TRUE(same_picture(a.stereo.right, b.stereo.right));
+    EXPECT_TRUE(same_image(a.stereo.left, b.stereo.left));
+    EXPECT_TRUE(same_image(a.stereo.right, b.stereo.right));
     EXPECT_TRUE(same_bits(a.stereo.focal_px, b.stereo.focal_px));
     EXPECT_TRUE(same_bits(a.stereo.centre_u_px, b.stereo.centre_u_px));
     EXPECT_TRUE(same_bits(a.stereo.centre_v_px, b.stereo.centre_v_px));
@@ -98,7 +98,7 @@ TEST(Recording, GivesBackWhatTheRunWasBegunWith) {
   EXPECT_EQ(reader.setup().robot.cycle, Duration(77));
 }
 
-TEST(Recording, OfABodyWithOneEyeOrNonePicturesStayEmpty) {
+TEST(Recording, OfABodyWithOneEyeOrNoneImagesStayEmpty) {
   RecordedCycle original = a_cycle(1);
   original.senses.stereo.right.release();
   RecordedCycle read;
@@ -110,7 +110,7 @@ TEST(Recording, OfABodyWithOneEyeOrNonePicturesStayEmpty) {
   EXPECT_TRUE(read.senses.stereo.left.empty());
 }
 
-TEST(Recording, APictureThatIsTheSameAsBeforeIsNotWrittenAgain) {
+TEST(Recording, AnImageThatIsTheSameAsBeforeIsNotWrittenAgain) {
   RecordedCycle original = a_cycle(1);
   std::vector<std::uint8_t> first;
   std::vector<std::uint8_t> second;
@@ -120,7 +120,7 @@ TEST(Recording, APictureThatIsTheSameAsBeforeIsNotWrittenAgain) {
   RecordedCycle read;
   decode_cycle(first, read);
   decode_cycle(second, read);
-  EXPECT_TRUE(same_picture(read.senses.stereo.right, original.senses.stereo.right));
+  EXPECT_TRUE(same_image(read.senses.stereo.right, original.senses.stereo.right));
   RecordedCycle fresh;
   EXPECT_THROW(decode_cycle(second, fresh), BadBytes);
 }
@@ -135,7 +135,7 @@ TEST(Recording, CutOffAnywhereIsReadUpToItsLastWholeCycle) {
     std::size_t count = 0;
     while (reader.next(cycle)) ++count;
     EXPECT_EQ(reader.ending(), Ending::cut_off);
-    // The cycles differ by a few bytes, as their pictures do.
+    // The cycles differ by a few bytes, as their images do.
     EXPECT_NEAR(static_cast<double>(count), static_cast<double>((size - head) / one), 1.0) << size;
   }
 }

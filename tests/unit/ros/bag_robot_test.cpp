@@ -1,21 +1,21 @@
-#include "platform/ros/bag_robot.hpp"
+#include "striate/platform/ros/bag_robot.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <filesystem>
 
-#include "base/user_error.hpp"
+#include "striate/base/user_error.hpp"
 #include "tests/reference/temporary_folder.hpp"
 #include "tests/unit/ros/written_bag.hpp"
 
 /// None of these tests has a ROS master.
-namespace striate::ros1 {
+namespace striate::ros {
 namespace {
 
 using reference::TemporaryFolder;
 
-std::string mistake(const std::string& file) {
+std::string diagnostic(const std::string& file) {
   try {
     BagRobot robot(file, {});
   } catch (const UserError& error) {
@@ -46,12 +46,12 @@ TEST(BagRobot, HandsOutEachPairWithCameraAndOdometry) {
   EXPECT_FALSE(robot.sense(senses));
 }
 
-TEST(BagRobot, FindsTopicsByTheirKindAndReadsCompressedPictures) {
+TEST(BagRobot, FindsTopicsByTheirKindAndReadsCompressedImages) {
   const TemporaryFolder folder;
   WrittenBag other;
   other.compressed = true;
   other.root = "/bumblebee";
-  other.picture = "/image_raw";
+  other.image = "/image_raw";
   write_bag(folder / "b.bag", other);
   BagRobot robot(folder / "b.bag", {});
   Senses senses;
@@ -66,7 +66,7 @@ TEST(BagRobot, TheSettingsGiveACameraWhereTheBagDoesNot) {
   WrittenBag bare;
   bare.with_info = false;
   write_bag(folder / "c.bag", bare);
-  EXPECT_THAT(mistake(folder / "c.bag"), testing::HasSubstr("ros.focal"));
+  EXPECT_THAT(diagnostic(folder / "c.bag"), testing::HasSubstr("ros.focal"));
   RosSettings settings;
   settings.focal_px = 210.0;
   settings.baseline_m = 0.2;
@@ -80,22 +80,22 @@ TEST(BagRobot, TheSettingsGiveACameraWhereTheBagDoesNot) {
 
 TEST(BagRobot, SaysWhatIsWrongWithABag) {
   const TemporaryFolder folder;
-  EXPECT_THAT(mistake(folder / "none.bag"), testing::HasSubstr("no ROS bag"));
-  EXPECT_THAT(mistake(folder.write("text.bag", "hello")), testing::HasSubstr("no ROS bag"));
+  EXPECT_THAT(diagnostic(folder / "none.bag"), testing::HasSubstr("no ROS bag"));
+  EXPECT_THAT(diagnostic(folder.write("text.bag", "hello")), testing::HasSubstr("no ROS bag"));
   {
     rosbag::Bag bag(folder / "wheels.bag", rosbag::bagmode::Write);
     bag.write("/odom", ::ros::Time(10, 0), nav_msgs::Odometry());
   }
-  EXPECT_THAT(mistake(folder / "wheels.bag"),
-              testing::AllOf(testing::HasSubstr("has no stereo pictures"),
+  EXPECT_THAT(diagnostic(folder / "wheels.bag"),
+              testing::AllOf(testing::HasSubstr("has no stereo images"),
                              testing::HasSubstr("/odom: nav_msgs/Odometry")));
   { const rosbag::Bag empty(folder / "empty.bag", rosbag::bagmode::Write); }
-  EXPECT_THAT(mistake(folder / "empty.bag"), testing::HasSubstr("has no stereo pictures"));
+  EXPECT_THAT(diagnostic(folder / "empty.bag"), testing::HasSubstr("has no stereo images"));
   write_bag(folder / "cut.bag", {});
   std::filesystem::resize_file(folder / "cut.bag",
                                std::filesystem::file_size(folder / "cut.bag") / 2);
-  EXPECT_THAT(mistake(folder / "cut.bag"), testing::HasSubstr("no ROS bag"));
+  EXPECT_THAT(diagnostic(folder / "cut.bag"), testing::HasSubstr("no ROS bag"));
 }
 
 }  // namespace
-}  // namespace striate::ros1
+}  // namespace striate::ros

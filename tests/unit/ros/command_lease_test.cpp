@@ -1,10 +1,10 @@
-#include "platform/ros/command_lease.hpp"
+#include "striate/platform/ros/command_lease.hpp"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 
-namespace striate::ros1 {
+namespace striate::ros {
 namespace {
 
 using namespace std::chrono_literals;
@@ -31,4 +31,4 @@ TEST(CommandLease, ASpeedThatIsNoNumberIsAStop) {
 }
 
 }  // namespace
-}  // namespace striate::ros1
+}  // namespace striate::ros

@@ -1,9 +1,9 @@
-#include "platform/ros/hold_reason.hpp"
+#include "striate/platform/ros/hold_reason.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace striate::ros1 {
+namespace striate::ros {
 namespace {
 
 using namespace std::chrono_literals;
@@ -29,10 +29,10 @@ RosSettings known_camera() {
 /// Messages that come each 100 ms and say when they were stamped.
 struct Sender {
   Inbox inbox{known_camera()};
-  sensor_msgs::Image picture = [] {
-    sensor_msgs::Image image;
-    write(cv::Mat3b(12, 16, cv::Vec3b(1, 2, 3)), image);
-    return image;
+  sensor_msgs::Image image = [] {
+    sensor_msgs::Image message;
+    write(cv::Mat3b(12, 16, cv::Vec3b(1, 2, 3)), message);
+    return message;
   }();
 
   static TimePoint at(double s) { return TimePoint(from_seconds(s)); }
@@ -42,9 +42,9 @@ struct Sender {
     inbox.take(message, at(now_s));
   }
   void eyes(double now_s, double late_s = 0.0) {
-    picture.header = stamped<sensor_msgs::Image>(now_s - late_s).header;
-    inbox.take(Eye::left, picture, at(now_s));
-    inbox.take(Eye::right, picture, at(now_s));
+    image.header = stamped<sensor_msgs::Image>(now_s - late_s).header;
+    inbox.take(Eye::left, image, at(now_s));
+    inbox.take(Eye::right, image, at(now_s));
   }
   void laser(double now_s) { inbox.take(stamped<sensor_msgs::LaserScan>(now_s), at(now_s)); }
   [[nodiscard]] std::string reason(double now_s) const {
@@ -52,11 +52,11 @@ struct Sender {
   }
 };
 
-TEST(StaleSense, HoldsUntilPicturesAndOdometryHaveCome) {
+TEST(StaleSense, HoldsUntilImagesAndOdometryHaveCome) {
   Sender robot;
   EXPECT_EQ(robot.reason(0.0), "no odometry");
   robot.wheels(0.0);
-  EXPECT_EQ(robot.reason(0.0), "no pictures");
+  EXPECT_EQ(robot.reason(0.0), "no images");
   robot.eyes(0.0);
   EXPECT_EQ(robot.reason(0.0), "");
 }
@@ -67,7 +67,7 @@ TEST(StaleSense, HoldsWhenOneOfThemFallsSilent) {
   robot.eyes(0.0);
   robot.wheels(0.4);
   EXPECT_EQ(robot.reason(0.49), "");
-  EXPECT_EQ(robot.reason(0.51), "no pictures");
+  EXPECT_EQ(robot.reason(0.51), "no images");
   robot.eyes(0.9);
   EXPECT_EQ(robot.reason(0.91), "no odometry");
 }
@@ -84,7 +84,7 @@ TEST(StaleSense, ALaserCountsOnceItHasSpoken) {
   EXPECT_EQ(robot.reason(0.65), "");
 }
 
-TEST(StaleSense, HoldsWhenPicturesPileUpOnTheWayThoughTheyKeepComing) {
+TEST(StaleSense, HoldsWhenImagesPileUpOnTheWayThoughTheyKeepComing) {
   Sender robot;
   for (int i = 0; i < 100; ++i) {
     const double now_s = 0.1 * i;
@@ -119,4 +119,4 @@ TEST(StaleSense, OldOdometryHoldsToo) {
 }
 
 }  // namespace
-}  // namespace striate::ros1
+}  // namespace striate::ros

@@ -1,11 +1,11 @@
-#include "platform/ros/messages.hpp"
+#include "striate/platform/ros/messages.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 
-namespace striate::ros1 {
+namespace striate::ros {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -44,7 +44,7 @@ TEST(Messages, TheNearestEchoOfEachDegreeGoesIntoAScan) {
 
 TEST(Messages, AScanIsSeenFromTheAxle) {
   sensor_msgs::LaserScan message;
-  message.angle_min = static_cast<float>(kHalfTurn_rad / 2.0);
+  message.angle_min = static_cast<float>(kPi / 2.0);
   message.angle_increment = 0.1F;
   message.range_max = 10.0F;
   message.ranges = {3.0F, std::nanf("")};
@@ -55,7 +55,7 @@ TEST(Messages, AScanIsSeenFromTheAxle) {
   EXPECT_NEAR(scan.readings[0].bearing_rad, std::atan2(3.0, 4.0), 1e-6);
 }
 
-TEST(Messages, ACameraComesBackAsItWentAndFitsSmallerPictures) {
+TEST(Messages, ACameraComesBackAsItWentAndFitsSmallerImages) {
   StereoFrame sent;
   sent.left = cv::Mat3b(240, 320);
   sent.right = sent.left;
@@ -92,4 +92,4 @@ TEST(Messages, ACameraComesBackAsItWentAndFitsSmallerPictures) {
 }
 
 }  // namespace
-}  // namespace striate::ros1
+}  // namespace striate::ros

@@ -1,10 +1,10 @@
-#include "platform/ros/stamp_map.hpp"
+#include "striate/platform/ros/stamp_map.hpp"
 
 #include <gtest/gtest.h>
 
-#include "platform/ros/body_to_ros_time.hpp"
+#include "striate/platform/ros/body_to_ros_time.hpp"
 
-namespace striate::ros1 {
+namespace striate::ros {
 namespace {
 
 using namespace std::chrono_literals;
@@ -76,8 +76,8 @@ TEST(StampMap, ATopicIsLateBesideAnother) {
   for (int i = 0; i < 50; ++i) {
     const TimePoint now(1s + i * 100ms);
     heard(map, stamp(i * 100ms), now);
-    const TimePoint picture = heard(map, stamp(i * 100ms - 3s), now, Stream::left);
-    EXPECT_NEAR(to_seconds(now - picture), 3.0, 0.01);
+    const TimePoint image = heard(map, stamp(i * 100ms - 3s), now, Stream::left);
+    EXPECT_NEAR(to_seconds(now - image), 3.0, 0.01);
   }
 }
 
@@ -97,4 +97,4 @@ TEST(BodyToRosTime, KeepsDistancesAndCatchesUpWhereTheBodyIsSlow) {
 }
 
 }  // namespace
-}  // namespace striate::ros1
+}  // namespace striate::ros

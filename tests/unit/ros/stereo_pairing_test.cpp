@@ -1,13 +1,13 @@
-#include "platform/ros/stereo_pairing.hpp"
+#include "striate/platform/ros/stereo_pairing.hpp"
 
 #include <gtest/gtest.h>
 
-namespace striate::ros1 {
+namespace striate::ros {
 namespace {
 
 using namespace std::chrono_literals;
 
-EyePicture at(Duration stamp) {
+EyeImage at(Duration stamp) {
   return {stamp.count(), cv::Mat3b()};
 }
 
@@ -22,14 +22,14 @@ TEST(StereoPairing, PairsNearestStampsInAnyOrder) {
   EXPECT_FALSE(pairing.add_left(at(100ms))) << "its partner is older than a pair already found";
 }
 
-TEST(StereoPairing, LeavesPicturesThatAreTooFarApartAlone) {
+TEST(StereoPairing, LeavesImagesThatAreTooFarApartAlone) {
   StereoPairing pairing(20ms);
   EXPECT_FALSE(pairing.add_left(at(100ms)));
   EXPECT_FALSE(pairing.add_right(at(121ms)));
   EXPECT_TRUE(pairing.add_left(at(120ms)));
 }
 
-TEST(StereoPairing, UsesAPictureOnce) {
+TEST(StereoPairing, UsesAnImageOnce) {
   StereoPairing pairing(20ms);
   EXPECT_FALSE(pairing.add_left(at(100ms)));
   EXPECT_TRUE(pairing.add_right(at(100ms)));
@@ -44,4 +44,4 @@ TEST(StereoPairing, OneSilentEyeFillsNoMemoryAndTheNewestArePaired) {
 }
 
 }  // namespace
-}  // namespace striate::ros1
+}  // namespace striate::ros

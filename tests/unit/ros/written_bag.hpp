@@ -6,22 +6,22 @@
 #include <opencv2/imgcodecs.hpp>
 #include <string>
 
-#include "platform/ros/messages.hpp"
+#include "striate/platform/ros/messages.hpp"
 
 /// Bags that tests write.
-namespace striate::ros1 {
+namespace striate::ros {
 
 struct WrittenBag {
   int pairs = 5;
   bool compressed = false;
   bool with_info = true;
   std::string root = "/stereo";
-  std::string picture = "/image_rect_color";
+  std::string image = "/image_rect_color";
   std::function<void(int pair, StereoFrame&)> paint;  ///< over the even grey, where given
 };
 
-/// One picture pair every 100 ms, the right stamp 3 ms after the left; odometry each 50 ms on
-/// /odom, from (2, 1) heading left at 0.3 m/s. Pair `i` has left pictures of grey level 10 i.
+/// One image pair every 100 ms, the right stamp 3 ms after the left; odometry each 50 ms on
+/// /odom, from (2, 1) heading left at 0.3 m/s. Pair `i` has left images of grey level 10 i.
 inline void write_bag(const std::string& file, const WrittenBag& given) {
   rosbag::Bag bag(file, rosbag::bagmode::Write);
   const ::ros::Time begin(1700000000, 0);
@@ -39,18 +39,18 @@ inline void write_bag(const std::string& file, const WrittenBag& given) {
       const std::string eye = given.root + (right ? "/right" : "/left");
       const ::ros::Time stamp = now + ::ros::Duration(right ? 0.003 : 0.0);
       const ::ros::Time arrived = stamp + ::ros::Duration(0.02);
-      const cv::Mat3b& picture = right ? frame.right : frame.left;
+      const cv::Mat3b& image = right ? frame.right : frame.left;
       if (given.compressed) {
         sensor_msgs::CompressedImage message;
         message.header.stamp = stamp;
         message.format = "png";
-        cv::imencode(".png", picture, message.data);
-        bag.write(eye + given.picture + "/compressed", arrived, message);
+        cv::imencode(".png", image, message.data);
+        bag.write(eye + given.image + "/compressed", arrived, message);
       } else {
         sensor_msgs::Image message;
         message.header.stamp = stamp;
-        write(picture, message);
-        bag.write(eye + given.picture, arrived, message);
+        write(image, message);
+        bag.write(eye + given.image, arrived, message);
       }
       if (given.with_info) {
         sensor_msgs::CameraInfo info;
@@ -61,7 +61,7 @@ inline void write_bag(const std::string& file, const WrittenBag& given) {
     }
     for (int half = 0; half < 2; ++half) {
       Odometry odometry;
-      odometry.pose = {2.0, 1.0 + 0.03 * i + 0.015 * half, kHalfTurn_rad / 2.0};
+      odometry.pose = {2.0, 1.0 + 0.03 * i + 0.015 * half, kPi / 2.0};
       odometry.forward_m_s = 0.3;
       nav_msgs::Odometry message;
       write(odometry, message);
@@ -71,4 +71,4 @@ inline void write_bag(const std::string& file, const WrittenBag& given) {
   }
 }
 
-}  // namespace striate::ros1
+}  // namespace striate::ros

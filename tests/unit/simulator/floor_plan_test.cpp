@@ -2,9 +2,9 @@
 
 #include <cmath>
 
-#include "platform/simulator/scene.hpp"
-#include "platform/simulator/shapes.hpp"
-#include "platform/simulator/static_shapes.hpp"
+#include "striate/platform/simulator/scene.hpp"
+#include "striate/platform/simulator/shapes.hpp"
+#include "striate/platform/simulator/static_shapes.hpp"
 
 namespace striate::simulator {
 namespace {

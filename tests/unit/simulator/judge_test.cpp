@@ -1,11 +1,11 @@
-#include "platform/simulator/judge.hpp"
+#include "striate/platform/simulator/judge.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "platform/simulator/simulated_pioneer.hpp"
-#include "tests/unit/simulator/fake_pictures.hpp"
+#include "striate/platform/simulator/simulated_pioneer.hpp"
+#include "tests/unit/simulator/fake_images.hpp"
 
 namespace striate::simulator {
 namespace {
@@ -39,7 +39,7 @@ World world_with_box(double clearance_m) {
 TEST(Judge, TellsANearMissOnceWithItsPlaceAndClearance) {
   SimulatedPioneer robot(world_with_box(0.06), 1, exact(), nullptr);
   const Judge& judge = drive_past(robot);
-  EXPECT_EQ(judge.outcome(), Outcome::reached_goal);
+  EXPECT_EQ(judge.outcome(), Verdict::reached_goal);
   ASSERT_EQ(judge.near_misses().size(), 1u);
   EXPECT_EQ(judge.near_misses()[0].to, "the_box");
   EXPECT_NEAR(judge.near_misses()[0].clearance_m, 0.06, 0.002);
@@ -59,7 +59,7 @@ TEST(Judge, AWidePassIsNoNearMiss) {
 TEST(Judge, AGrazeIsACollisionAndNoNearMiss) {
   SimulatedPioneer robot(world_with_box(-0.03), 1, exact(), nullptr);
   const Judge& judge = drive_past(robot);
-  EXPECT_EQ(judge.outcome(), Outcome::collided);
+  EXPECT_EQ(judge.outcome(), Verdict::collided);
   ASSERT_EQ(judge.collisions().size(), 1u);
   EXPECT_EQ(judge.collisions()[0].hit, "the_box");
   EXPECT_TRUE(judge.near_misses().empty());
@@ -68,11 +68,11 @@ TEST(Judge, AGrazeIsACollisionAndNoNearMiss) {
 TEST(Judge, LessThanTwoMillimetresIsATouchByTheExactDistance) {
   for (const double clearance_m : {0.0005, 0.001, 0.0015}) {
     SimulatedPioneer robot(world_with_box(clearance_m), 1, exact(), nullptr);
-    EXPECT_EQ(drive_past(robot).outcome(), Outcome::collided) << clearance_m;
+    EXPECT_EQ(drive_past(robot).outcome(), Verdict::collided) << clearance_m;
   }
   SimulatedPioneer robot(world_with_box(0.004), 1, exact(), nullptr);
   const Judge& judge = drive_past(robot);
-  EXPECT_EQ(judge.outcome(), Outcome::reached_goal);
+  EXPECT_EQ(judge.outcome(), Verdict::reached_goal);
   EXPECT_NEAR(judge.nearest_pass_m(), 0.004, 0.001);
 }
 
@@ -107,7 +107,7 @@ TEST(Judge, MeasuresProgressAlongABentCorridor) {
   EXPECT_NEAR(robot.scene().robot.x_m, 2.7, 1e-6);
   EXPECT_NEAR(robot.scene().robot.y_m, 2.0, 1e-6);
   const Judge& judge = drive_past(robot);
-  EXPECT_EQ(judge.outcome(), Outcome::reached_goal);
+  EXPECT_EQ(judge.outcome(), Verdict::reached_goal);
   EXPECT_NEAR(judge.in_corridor().y_m, 0.3, 0.01);
   EXPECT_NEAR(judge.distance_driven_m(), 3.0, 0.02);
 }

@@ -1,10 +1,10 @@
-#include "platform/simulator/late_obstacles.hpp"
+#include "striate/platform/simulator/late_obstacles.hpp"
 
 #include <gtest/gtest.h>
 
-#include "platform/simulator/simulated_pioneer.hpp"
-#include "platform/simulator/world_reader.hpp"
-#include "tests/unit/simulator/fake_pictures.hpp"
+#include "striate/platform/simulator/simulated_pioneer.hpp"
+#include "striate/platform/simulator/world_reader.hpp"
+#include "tests/unit/simulator/fake_images.hpp"
 
 namespace striate::simulator {
 namespace {
@@ -39,7 +39,7 @@ TEST(LateObstacles, NeverComeWhereTheRobotCouldNotStop) {
 }
 
 TEST(LateObstacles, AreSeenFeltAndJudgedOnlyOnceTheyAreThere) {
-  FakePictures pictures;
+  FakeImages pictures;
   SimulatedPioneer robot(world_with(6.0, 4.0, 0.0), 1, {}, &pictures);
   Senses senses;
   const auto ahead_m = [&] {
@@ -60,13 +60,13 @@ TEST(LateObstacles, AreSeenFeltAndJudgedOnlyOnceTheyAreThere) {
 }
 
 TEST(LateObstacles, AreReadFromAWorldFile) {
-  config::Mistakes mistakes("w.yaml");
+  config::Diagnostics diagnostics("w.yaml");
   const World world = parse_world(
       "striate_world: 1\nname: w\ncorridor: {length: 20 m}\nobstacles:\n"
       "  - {kind: table, at: [9 m, 0 m], from: 1 min}\n"
       "  - {kind: bin, at: [12 m, 0 m], appears_after: 20 m}\n",
-      mistakes);
-  EXPECT_TRUE(mistakes.none()) << mistakes.text();
+      diagnostics);
+  EXPECT_TRUE(diagnostics.none()) << diagnostics.text();
   ASSERT_EQ(world.obstacles.size(), 2U);
   EXPECT_EQ(world.obstacles[0].from_s, 60.0);
   EXPECT_EQ(world.obstacles[1].appears_after_m, 20.0);

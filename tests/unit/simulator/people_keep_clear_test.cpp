@@ -3,10 +3,10 @@
 #include <cmath>
 #include <limits>
 
-#include "platform/simulator/obstacle_shapes.hpp"
-#include "platform/simulator/people.hpp"
-#include "platform/simulator/simulated_pioneer.hpp"
-#include "platform/simulator/world_reader.hpp"
+#include "striate/platform/simulator/obstacle_shapes.hpp"
+#include "striate/platform/simulator/people.hpp"
+#include "striate/platform/simulator/simulated_pioneer.hpp"
+#include "striate/platform/simulator/world_reader.hpp"
 
 namespace striate::simulator {
 namespace {
@@ -73,13 +73,13 @@ class BrakingRobot {
   BrakingRobot(const World& world, std::uint64_t seed, bool brakes)
       : robot_(world, seed, settings(), nullptr), brakes_(brakes) {}
 
-  Outcome drive(double speed_m_s) {
+  Verdict drive(double speed_m_s) {
     Senses senses;
     SceneState seen = robot_.scene();
     while (robot_.sense(senses)) {
       const SceneState now = robot_.scene();
-      // Decides on what a picture of 85 ms ago shows, as a robot does.
-      const bool stop = brakes_ && in_lane(seen, stopping_way_m(speed_m_s, {}) + 0.15);
+      // Decides on what an image of 85 ms ago shows, as a robot does.
+      const bool stop = brakes_ && in_lane(seen, stopping_distance_m(speed_m_s, {}) + 0.15);
       const Pose2 at = robot_.judge().in_corridor();
       robot_.send({.forward_m_s = stop ? 0.0 : speed_m_s,
                    .turn_rad_s = -0.8 * at.heading_rad - 0.3 * at.y_m});
@@ -97,7 +97,7 @@ class BrakingRobot {
   }
   static bool in_lane(const SceneState& scene, double within_m) {
     for (const PersonState& person : scene.people) {
-      const Point2 at = to_inner(scene.robot, Point2{person.pose.x_m, person.pose.y_m});
+      const Point2 at = inverse_transform(scene.robot, Point2{person.pose.x_m, person.pose.y_m});
       const double gap = at.x_m - RobotDescription{}.front_m - kPersonRadius_m;
       if (at.x_m > 0.0 && gap < within_m && std::abs(at.y_m) < 0.55) return true;
     }
@@ -114,9 +114,9 @@ TEST(People, LeaveABrakingRobotRoomToStop) {
     const World world = shipped_without_things(name);
     for (std::uint64_t seed = 1; seed <= 4; ++seed) {
       BrakingRobot robot(world, seed, true);
-      const Outcome outcome = robot.drive(seed % 2 == 0 ? 0.4 : 0.7);
+      const Verdict outcome = robot.drive(seed % 2 == 0 ? 0.4 : 0.7);
       ++runs;
-      goals += outcome == Outcome::reached_goal;
+      goals += outcome == Verdict::reached_goal;
       for (const Collision& collision : robot.robot().judge().collisions()) {
         ADD_FAILURE() << name << " seed " << seed << ": " << collision.hit << " at "
                       << collision.along_m << " after " << collision.time_s << " s";
@@ -133,13 +133,13 @@ TEST(People, NeverRunIntoARobotFromBehindOrFromTheSide) {
     const World world = shipped_without_things(name);
     for (std::uint64_t seed = 1; seed <= 4; ++seed) {
       BrakingRobot robot(world, seed, false);
-      if (robot.drive(0.3) != Outcome::collided) continue;
+      if (robot.drive(0.3) != Verdict::collided) continue;
       ++touched;
       const SceneState scene = robot.robot().scene();
       double nearest = 1e9;
       Point2 hit;
       for (const PersonState& person : scene.people) {
-        const Point2 at = to_inner(scene.robot, Point2{person.pose.x_m, person.pose.y_m});
+        const Point2 at = inverse_transform(scene.robot, Point2{person.pose.x_m, person.pose.y_m});
         if (std::hypot(at.x_m, at.y_m) < nearest) {
           nearest = std::hypot(at.x_m, at.y_m);
           hit = at;
@@ -162,7 +162,7 @@ TEST(People, StepInFrontOfTheRobotAndGoAwayAgain) {
   int stops = 0;
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
     BrakingRobot robot(world, seed, true);
-    ASSERT_EQ(robot.drive(0.4), Outcome::reached_goal) << "seed " << seed;
+    ASSERT_EQ(robot.drive(0.4), Verdict::reached_goal) << "seed " << seed;
     // Every stop of the way is somebody who stood before the robot.
     const auto& path = robot.robot().judge().path();
     bool stood = false;
@@ -185,7 +185,7 @@ TEST(People, StepInFrontEvenWhereNoDoorIs) {
   int met = 0;
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
     BrakingRobot robot(world, seed, true);
-    ASSERT_EQ(robot.drive(0.4), Outcome::reached_goal) << "seed " << seed;
+    ASSERT_EQ(robot.drive(0.4), Verdict::reached_goal) << "seed " << seed;
     double nearest = 1e9;
     for (const PeopleAt& moment : robot.robot().judge().people()) {
       for (const Pose2& person : moment.people) {

@@ -1,11 +1,11 @@
-#include "platform/simulator/people.hpp"
+#include "striate/platform/simulator/people.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "platform/simulator/obstacle_shapes.hpp"
-#include "platform/simulator/world_reader.hpp"
+#include "striate/platform/simulator/obstacle_shapes.hpp"
+#include "striate/platform/simulator/world_reader.hpp"
 
 namespace striate::simulator {
 namespace {

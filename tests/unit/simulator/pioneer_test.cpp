@@ -3,9 +3,9 @@
 #include <cmath>
 #include <cstring>
 
-#include "platform/simulator/simulated_pioneer.hpp"
-#include "platform/simulator/world_reader.hpp"
-#include "tests/unit/simulator/fake_pictures.hpp"
+#include "striate/platform/simulator/simulated_pioneer.hpp"
+#include "striate/platform/simulator/world_reader.hpp"
+#include "tests/unit/simulator/fake_images.hpp"
 
 namespace striate::simulator {
 namespace {
@@ -118,12 +118,12 @@ TEST(SimulatedPioneer, TheBumperEndsTheRunAndTheCollisionIsKept) {
   box.at = {6.0, 0.1};
   box.size_x_m = box.size_y_m = box.size_z_m = 0.5;
   world.obstacles.push_back(box);
-  FakePictures pictures;
+  FakeImages pictures;
   SimulatedPioneer robot(world, 1, exact(), &pictures);
   Senses senses;
   EXPECT_FALSE(drive(robot, senses, {.forward_m_s = 0.5}, 200));
   EXPECT_TRUE(senses.bumper);
-  EXPECT_EQ(robot.judge().outcome(), Outcome::collided);
+  EXPECT_EQ(robot.judge().outcome(), Verdict::collided);
   ASSERT_EQ(robot.judge().collisions().size(), 1u);
   const Collision& collision = robot.judge().collisions()[0];
   EXPECT_EQ(collision.hit, "red_box");
@@ -156,7 +156,7 @@ TEST(SimulatedPioneer, PassingTheGoalLineEndsTheRun) {
   SimulatedPioneer robot(world, 1, exact(), nullptr);
   Senses senses;
   EXPECT_FALSE(drive(robot, senses, {.forward_m_s = 0.5}, 100));
-  EXPECT_EQ(robot.judge().outcome(), Outcome::reached_goal);
+  EXPECT_EQ(robot.judge().outcome(), Verdict::reached_goal);
   EXPECT_NEAR(robot.judge().in_corridor().x_m, 3.0, 0.01);
   EXPECT_TRUE(robot.judge().collisions().empty());
   EXPECT_NEAR(robot.judge().nearest_pass_m(), 0.7, 0.01) << "the start wall is behind the robot";
@@ -168,12 +168,12 @@ TEST(SimulatedPioneer, TheTimeLimitEndsTheRun) {
   SimulatedPioneer robot(straight_world(), 1, settings, nullptr);
   Senses senses;
   EXPECT_FALSE(drive(robot, senses, {}, 100));
-  EXPECT_EQ(robot.judge().outcome(), Outcome::time_up);
+  EXPECT_EQ(robot.judge().outcome(), Verdict::time_up);
   EXPECT_EQ(senses.now, TimePoint(std::chrono::seconds(2)));
 }
 
-TEST(SimulatedPioneer, PicturesArriveLateWithTheStampOfTheirLight) {
-  FakePictures pictures;
+TEST(SimulatedPioneer, ImagesArriveLateWithTheStampOfTheirLight) {
+  FakeImages pictures;
   SimulatedPioneer robot(straight_world(), 1, exact(), &pictures);
   Senses senses;
   ASSERT_TRUE(robot.sense(senses));
@@ -186,8 +186,8 @@ TEST(SimulatedPioneer, PicturesArriveLateWithTheStampOfTheirLight) {
               1e-9);
 }
 
-TEST(SimulatedPioneer, APictureKnowsWhereTheHeadLooked) {
-  FakePictures pictures;
+TEST(SimulatedPioneer, AnImageKnowsWhereTheHeadLooked) {
+  FakeImages pictures;
   SimulatedPioneer robot(straight_world(), 1, exact(), &pictures);
   Senses senses;
   ASSERT_TRUE(drive(robot, senses, {.pan_rad = 1.0, .tilt_rad = -0.2}, 4));
@@ -195,17 +195,17 @@ TEST(SimulatedPioneer, APictureKnowsWhereTheHeadLooked) {
   EXPECT_GT(scene.head.pan_rad, 0.1);
   EXPECT_LT(scene.head.pan_rad, 0.7) << "the servo is still under way";
   EXPECT_NEAR(senses.stereo.head.pan_rad, scene.head.pan_rad, radians(0.3));
-  EXPECT_GT(senses.head.pan_rad, senses.stereo.head.pan_rad + 0.1) << "the picture is older";
+  EXPECT_GT(senses.head.pan_rad, senses.stereo.head.pan_rad + 0.1) << "the image is older";
   ASSERT_TRUE(drive(robot, senses, {.pan_rad = 9.0, .tilt_rad = -9.0}, 30));
   EXPECT_NEAR(senses.head.pan_rad, robot.description().max_pan_rad, radians(0.3));
   EXPECT_NEAR(senses.head.tilt_rad, -robot.description().max_tilt_rad, radians(0.3));
 }
 
-TEST(SimulatedPioneer, NoPictureComesAfterTheCameraHasStopped) {
+TEST(SimulatedPioneer, NoImageComesAfterTheCameraHasStopped) {
   SimulatorSettings settings = exact();
   settings.faults.camera_stops_at_s = 1.0;
   settings.faults.camera_returns_at_s = 3.0;
-  FakePictures pictures;
+  FakeImages pictures;
   SimulatedPioneer robot(straight_world(), 1, settings, &pictures);
   Senses senses;
   ASSERT_TRUE(drive(robot, senses, {}, 25));
@@ -215,10 +215,10 @@ TEST(SimulatedPioneer, NoPictureComesAfterTheCameraHasStopped) {
   EXPECT_LT(to_seconds(senses.now - senses.stereo.stamp), 0.2);
 }
 
-TEST(SimulatedPioneer, LosesTheShareOfPicturesThatItIsToldTo) {
+TEST(SimulatedPioneer, LosesTheShareOfImagesThatItIsToldTo) {
   SimulatorSettings settings = exact();
-  settings.faults.picture_loss = 0.3;
-  FakePictures pictures;
+  settings.faults.image_loss = 0.3;
+  FakeImages pictures;
   SimulatedPioneer robot(straight_world(), 5, settings, &pictures);
   Senses senses;
   ASSERT_TRUE(drive(robot, senses, {}, 1000));
@@ -243,7 +243,7 @@ void append(std::vector<std::uint64_t>& bits, double value) {
 
 std::vector<std::uint64_t> stream(std::uint64_t seed) {
   World world = load_world(STRIATE_SOURCE_DIR "/config/worlds/corridor_a.yaml");
-  FakePictures pictures;
+  FakeImages pictures;
   SimulatorSettings settings;
   settings.judge.ends_at_collision = false;
   SimulatedPioneer robot(world, seed, settings, &pictures);

@@ -1,5 +1,5 @@
-#include "platform/simulator/render/camera_model.hpp"
 #include "render_world.hpp"
+#include "striate/platform/simulator/render/camera_model.hpp"
 
 namespace striate::simulator::test {
 namespace {
@@ -19,11 +19,11 @@ TEST(Renderer, MakesTheSameBytesFromTheSameSeed) {
   SceneState state = standing_at(3.0, 0.2, 4.0);
   for (std::uint64_t frame = 0; frame < 3; ++frame) {
     state.frame = frame;
-    const StereoFrame fa = a.picture(state);
-    const StereoFrame fb = b.picture(state);
+    const StereoFrame fa = a.image(state);
+    const StereoFrame fb = b.image(state);
     EXPECT_TRUE(same(fa.left, fb.left));
     EXPECT_TRUE(same(fa.right, fb.right));
-    EXPECT_FALSE(same(fa.left, other.picture(state).left));
+    EXPECT_FALSE(same(fa.left, other.image(state).left));
   }
 }
 
@@ -31,10 +31,10 @@ TEST(Renderer, DrawsNewNoiseForEachFrame) {
   const World world = bright_corridor();
   Renderer renderer(world, build_floor_plan(world), small_camera(), 5);
   SceneState state = standing_at(3.0, 0.2);
-  const cv::Mat3b first = renderer.picture(state).left.clone();
-  EXPECT_TRUE(same(first, renderer.picture(state).left)) << "the same frame has the same noise";
+  const cv::Mat3b first = renderer.image(state).left.clone();
+  EXPECT_TRUE(same(first, renderer.image(state).left)) << "the same frame has the same noise";
   state.frame = 1;
-  EXPECT_FALSE(same(first, renderer.picture(state).left));
+  EXPECT_FALSE(same(first, renderer.image(state).left));
 }
 
 /// Standard deviation in time of the middle of an even wall, in grey levels.
@@ -50,10 +50,10 @@ double noise_at_light(double level) {
   constexpr int kFrames = 12;
   for (int i = 0; i < kFrames; ++i) {
     state.frame = static_cast<std::uint64_t>(i);
-    cv::Mat picture;
-    renderer.picture(state).left.convertTo(picture, CV_64F);
-    sum += picture;
-    squares += picture.mul(picture);
+    cv::Mat image;
+    renderer.image(state).left.convertTo(image, CV_64F);
+    sum += image;
+    squares += image.mul(image);
   }
   const cv::Mat variance = (squares - sum.mul(sum) / kFrames) / (kFrames - 1);
   return std::sqrt(cv::mean(variance(cv::Rect(24, 18, 48, 36)))[1]);
@@ -82,7 +82,7 @@ TEST(ExposureControl, UsesTheShutterFirstAndThenTheGain) {
   EXPECT_DOUBLE_EQ(settle(1e-4F).gain, camera.max_gain);
 }
 
-TEST(ExposureControl, FollowsAChangeOfLightOverSeveralPictures) {
+TEST(ExposureControl, FollowsAChangeOfLightOverSeveralImages) {
   const CameraSettings camera;
   render::ExposureControl control(camera);
   const std::vector<render::V4> bright(10000, render::splat(1.0F));
@@ -101,16 +101,16 @@ TEST(Sensor, LosesLightTowardsTheCornerAndHoldsNoMoreThanAFullWell) {
   render::Sensor sensor(camera, render::Eye::left, 1);
   const render::Exposure exposure{0.01, 1.0};
   const double one = 1.0 / (render::ExposureControl(camera).sensitivity() * exposure.shutter_s);
-  const auto picture_of = [&](double level) {
+  const auto image_of = [&](double level) {
     return sensor.expose(
         std::vector<render::V4>(96 * 72, render::splat(static_cast<float>(level * one))), exposure,
         {}, 0);
   };
   const auto linear = [](int grey) { return std::pow((grey / 255.0 + 0.055) / 1.055, 2.4); };
-  const cv::Mat3b half = picture_of(0.5);
+  const cv::Mat3b half = image_of(0.5);
   EXPECT_NEAR(linear(half(36, 48)[1]), 0.5, 0.01);
   EXPECT_NEAR(linear(half(0, 0)[1]) / linear(half(36, 48)[1]), 1.0 - camera.vignetting, 0.02);
-  EXPECT_EQ(picture_of(50.0)(36, 48)[1], 255);
+  EXPECT_EQ(image_of(50.0)(36, 48)[1], 255);
 }
 
 TEST(Sensor, SmearsAlongTheTurn) {
@@ -119,9 +119,9 @@ TEST(Sensor, SmearsAlongTheTurn) {
   std::vector<render::V4> light(96 * 72, render::splat(0.05F));
   for (int y = 0; y < 72; ++y) light[static_cast<std::size_t>(y * 96 + 48)] = render::splat(1.0F);
   const render::Exposure exposure{0.01, 1.0};
-  const auto lit = [](const cv::Mat3b& picture) {
+  const auto lit = [](const cv::Mat3b& image) {
     int count = 0;
-    for (int x = 0; x < 96; ++x) count += picture(36, x)[1] > picture(36, 5)[1] + 15 ? 1 : 0;
+    for (int x = 0; x < 96; ++x) count += image(36, x)[1] > image(36, 5)[1] + 15 ? 1 : 0;
     return count;
   };
   const int still = lit(sensor.expose(light, exposure, {}, 0));
@@ -138,7 +138,7 @@ TEST(Renderer, KeepsLeftAndRightApartByGainAndHeightAsSettingsSay) {
   camera.gain_mismatch = 0.2;
   camera.rectification_px = 0.0;
   Renderer renderer(world, build_floor_plan(world), camera, 3);
-  const StereoFrame frame = renderer.picture(standing_at(4.0, 0.0));
+  const StereoFrame frame = renderer.image(standing_at(4.0, 0.0));
   const cv::Rect middle(40, 30, 80, 60);
   const double ratio = mean_of(frame.left, middle) / mean_of(frame.right, middle);
   EXPECT_GT(std::max(ratio, 1.0 / ratio), 1.05);

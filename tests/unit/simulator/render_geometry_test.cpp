@@ -1,8 +1,8 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
-#include "base/user_error.hpp"
 #include "render_world.hpp"
+#include "striate/base/user_error.hpp"
 
 namespace striate::simulator::test {
 namespace {
@@ -40,12 +40,12 @@ TEST(Renderer, ShiftsATexturedWallByFocalLengthTimesBaselineOverDistance) {
   World world = bright_corridor();
   world.wall_material = "brick";
   Renderer renderer(world, build_floor_plan(world), clean_camera(320), 1);
-  const StereoFrame frame = renderer.picture(standing_at(10.0, 0.0));  // 2 m before the end wall
+  const StereoFrame frame = renderer.image(standing_at(10.0, 0.0));  // 2 m before the end wall
   EXPECT_NEAR(frame.focal_px, 160.0 / std::tan(radians(21.5)), 1e-3);
   EXPECT_DOUBLE_EQ(frame.centre_u_px, 159.5);
   EXPECT_DOUBLE_EQ(frame.centre_v_px, 119.5);
   EXPECT_DOUBLE_EQ(frame.baseline_m, 0.12);
-  // Sub-pixel shift of the end wall's middle by phase correlation; the left picture's content
+  // Sub-pixel shift of the end wall's middle by phase correlation; the left image's content
   // stands further right.
   const cv::Rect middle(100, 60, 120, 100);
   cv::Mat left;
@@ -92,7 +92,7 @@ TEST(Renderer, ShowsAPersonWhereHeStands) {
   const World world = bright_corridor();
   Renderer renderer(world, build_floor_plan(world), clean_camera(), 1);
   SceneState state = standing_at(4.0, 0.0);
-  const cv::Mat3b empty = renderer.picture(state).left.clone();
+  const cv::Mat3b empty = renderer.image(state).left.clone();
   PersonState person;
   person.pose = {7.0, 0.06, 0.0};  // straight ahead of the left camera
   state.people = {person};
@@ -105,7 +105,7 @@ TEST(Renderer, ShowsAPersonWhereHeStands) {
   };
   EXPECT_LT(depth(row(1.7), 80), 3.3F);
   EXPECT_GT(depth(row(1.9), 80), 3.6F);
-  const cv::Mat3b with = renderer.picture(state).left;
+  const cv::Mat3b with = renderer.image(state).left;
   EXPECT_GT(cv::norm(empty(cv::Rect(72, 50, 16, 30)), with(cv::Rect(72, 50, 16, 30)), cv::NORM_L1) /
                 (16 * 30 * 3),
             10.0);

@@ -3,9 +3,9 @@
 #include <cstring>
 #include <random>
 
-#include "platform/simulator/render/packet_kernels.hpp"
-#include "platform/simulator/render/patches.hpp"
-#include "platform/simulator/render/read_out_kernel.hpp"
+#include "striate/platform/simulator/render/packet_kernels.hpp"
+#include "striate/platform/simulator/render/patches.hpp"
+#include "striate/platform/simulator/render/read_out_kernel.hpp"
 #include "tests/reference/every_target.hpp"
 
 namespace striate::simulator::render {
@@ -45,17 +45,17 @@ bool same_bits(const void* a, const void* b, std::size_t bytes) {
   return std::memcmp(a, b, bytes) == 0;
 }
 
-cv::Mat3b noise_picture(int width, int height) {
-  cv::Mat3b picture(height, width);
+cv::Mat3b noise_image(int width, int height) {
+  cv::Mat3b image(height, width);
   std::mt19937 random(3);
-  for (cv::Vec3b& pixel : picture) {
+  for (cv::Vec3b& pixel : image) {
     for (int c = 0; c < 3; ++c) pixel[c] = static_cast<std::uint8_t>(random());
   }
-  return picture;
+  return image;
 }
 
 TEST(PacketKernels, SampleATextureAsItIsSampledOneByOne) {
-  const Texture texture(noise_picture(256, 64));
+  const Texture texture(noise_image(256, 64));
   Numbers numbers;
   reference::on_every_target([&](const std::string& target) {
     for (int trial = 0; trial < 200; ++trial) {

@@ -18,11 +18,11 @@ double brightest_part_of_left_wall(const World& world, const CameraSettings& cam
   Renderer renderer(world, build_floor_plan(world), camera, 1);
   SceneState state = standing_at(6.0, -0.9, 90.0);
   state.head.tilt_rad = radians(-20.0);
-  const cv::Mat3b picture = renderer.picture(state).left;
+  const cv::Mat3b image = renderer.image(state).left;
   double low = 0.0;
   double high = 0.0;
   cv::Mat one;
-  cv::extractChannel(picture, one, 1);
+  cv::extractChannel(image, one, 1);
   cv::minMaxLoc(one, &low, &high);
   return high / cv::mean(one)[0];
 }
@@ -51,10 +51,10 @@ TEST(Renderer, BlankPlasterIsNearlyBlankAndPlasterIsNot) {
     CameraSettings camera = clean_camera(320);
     camera.vignetting = 0.0;
     Renderer renderer(world, build_floor_plan(world), camera, 1);
-    const cv::Mat3b picture = renderer.picture(standing_at(6.0, 0.0, 90.0)).left;
+    const cv::Mat3b image = renderer.image(standing_at(6.0, 0.0, 90.0)).left;
     // Departure from the mean of the neighbours: texture, not shading.
     cv::Mat green;
-    cv::extractChannel(picture, green, 1);
+    cv::extractChannel(image, green, 1);
     cv::Mat1f grey;
     green.convertTo(grey, CV_32F);
     double sum = 0.0;
@@ -78,12 +78,12 @@ TEST(Renderer, APersonShadesTheFloorAroundHim) {
   Renderer renderer(world, build_floor_plan(world), clean_camera(), 1);
   SceneState state = standing_at(4.0, 0.0);
   state.head.tilt_rad = radians(-25.0);
-  const cv::Mat3b before = renderer.picture(state).left.clone();
+  const cv::Mat3b before = renderer.image(state).left.clone();
   PersonState person;
   person.pose = {6.4, 0.7, 0.0};
   state.people = {person};
   const cv::Mat1f depth = renderer.true_depth(state, 160);
-  const cv::Mat3b after = renderer.picture(state).left;
+  const cv::Mat3b after = renderer.image(state).left;
   // Floor just right of the feet: the same depth as without him, and darker.
   int darker = 0;
   state.people.clear();

@@ -4,7 +4,7 @@
 
 #include <opencv2/core.hpp>
 
-#include "platform/simulator/render/renderer.hpp"
+#include "striate/platform/simulator/render/renderer.hpp"
 
 /// Small worlds for the renderer's tests.
 namespace striate::simulator::test {
@@ -35,8 +35,8 @@ inline SceneState standing_at(double x_m, double y_m, double heading_deg = 0.0) 
   return state;
 }
 
-inline double mean_of(const cv::Mat3b& picture, const cv::Rect& where) {
-  const cv::Scalar mean = cv::mean(picture(where));
+inline double mean_of(const cv::Mat3b& image, const cv::Rect& where) {
+  const cv::Scalar mean = cv::mean(image(where));
   return (mean[0] + mean[1] + mean[2]) / 3.0;
 }
 

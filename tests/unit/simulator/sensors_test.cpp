@@ -3,22 +3,22 @@
 #include <cmath>
 #include <set>
 
-#include "platform/simulator/dead_reckoning.hpp"
-#include "platform/simulator/physics.hpp"
-#include "platform/simulator/random.hpp"
-#include "platform/simulator/range_finders.hpp"
-#include "tests/unit/simulator/fake_pictures.hpp"
+#include "striate/platform/simulator/dead_reckoning.hpp"
+#include "striate/platform/simulator/physics.hpp"
+#include "striate/platform/simulator/random.hpp"
+#include "striate/platform/simulator/range_finders.hpp"
+#include "tests/unit/simulator/fake_images.hpp"
 
 namespace striate::simulator {
 namespace {
 
-struct Spread {
+struct Covariance {
   double mean = 0.0;
   double deviation = 0.0;
 };
 
-Spread spread(const std::vector<double>& values) {
-  Spread result;
+Covariance spread(const std::vector<double>& values) {
+  Covariance result;
   for (const double value : values) result.mean += value / static_cast<double>(values.size());
   for (const double value : values) {
     result.deviation +=

@@ -1,11 +1,11 @@
-#include "platform/simulator/shapes.hpp"
+#include "striate/platform/simulator/shapes.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "platform/simulator/clearance_map.hpp"
-#include "platform/simulator/random.hpp"
+#include "striate/platform/simulator/clearance_map.hpp"
+#include "striate/platform/simulator/random.hpp"
 
 namespace striate::simulator {
 namespace {

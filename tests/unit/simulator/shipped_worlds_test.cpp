@@ -6,9 +6,9 @@
 #include <filesystem>
 #include <limits>
 
-#include "platform/simulator/obstacle_shapes.hpp"
-#include "platform/simulator/scene.hpp"
-#include "platform/simulator/world_reader.hpp"
+#include "striate/platform/simulator/obstacle_shapes.hpp"
+#include "striate/platform/simulator/scene.hpp"
+#include "striate/platform/simulator/world_reader.hpp"
 
 namespace striate::simulator {
 namespace {
@@ -23,12 +23,12 @@ std::vector<std::string> shipped_files() {
   return files;
 }
 
-TEST(ShippedWorlds, LoadWithoutAMistake) {
+TEST(ShippedWorlds, LoadWithoutADiagnostic) {
   EXPECT_GE(shipped_files().size(), 5u);
   for (const std::string& file : shipped_files()) {
-    config::Mistakes mistakes(file);
-    const World world = read_world(mistakes);
-    EXPECT_TRUE(mistakes.none()) << mistakes.text();
+    config::Diagnostics diagnostics(file);
+    const World world = read_world(diagnostics);
+    EXPECT_TRUE(diagnostics.none()) << diagnostics.text();
     EXPECT_EQ(world.name, std::filesystem::path(file).stem().string());
   }
 }
@@ -50,7 +50,7 @@ class Passage {
       pose.heading_rad += obstacle.turn_rad;
       for (const Footprint& polygon : footprint(obstacle)) {
         std::vector<Point2> corners;
-        for (const Point2& corner : polygon) corners.push_back(to_outer(pose, corner));
+        for (const Point2& corner : polygon) corners.push_back(transform(pose, corner));
         polygons_.push_back(corners);
       }
     }
@@ -60,16 +60,16 @@ class Passage {
   [[nodiscard]] bool rolls_through(const World& world, double width_m) const {
     const double radius_m = width_m / 2;
     const Pose2 start = plan_.at(world.start.x_m, world.start.y_m);
-    const int columns = 2 + static_cast<int>(world.length_m / kCellM);
-    const int rows = 2 + static_cast<int>(12.0 / kCellM);
+    const int columns = 2 + static_cast<int>(world.length_m / kCell_m);
+    const int rows = 2 + static_cast<int>(12.0 / kCell_m);
     const auto place = [&](int column, int row) {
-      return Point2{column * kCellM, (row - rows / 2) * kCellM};
+      return Point2{column * kCell_m, (row - rows / 2) * kCell_m};
     };
     std::vector<char> seen(static_cast<std::size_t>(columns * rows), 0);
     std::deque<std::pair<int, int>> open;
     // Rolls on from the first free place before the start: the start wall may be near.
-    for (int column = static_cast<int>(start.x_m / kCellM); column < columns; ++column) {
-      const int row = rows / 2 + static_cast<int>(std::lround(start.y_m / kCellM));
+    for (int column = static_cast<int>(start.x_m / kCell_m); column < columns; ++column) {
+      const int row = rows / 2 + static_cast<int>(std::lround(start.y_m / kCell_m));
       if (!free(place(column, row), radius_m)) continue;
       open.emplace_back(column, row);
       break;
@@ -95,7 +95,7 @@ class Passage {
     Point2 at;
     double radius_m;
   };
-  static constexpr double kCellM = 0.04;
+  static constexpr double kCell_m = 0.04;
 
   static double to_line_m(Point2 p, Point2 a, Point2 b) {
     const double dx = b.x_m - a.x_m;

@@ -1,12 +1,12 @@
-#include "platform/simulator/world_reader.hpp"
+#include "striate/platform/simulator/world_reader.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <fstream>
 
-#include "base/user_error.hpp"
-#include "platform/simulator/random.hpp"
+#include "striate/base/user_error.hpp"
+#include "striate/platform/simulator/random.hpp"
 
 namespace striate::simulator {
 namespace {
@@ -26,27 +26,27 @@ struct Told {
   std::string hint;
 };
 
-void expect_mistakes(const std::string& text, const std::vector<Told>& told) {
-  config::Mistakes mistakes("test.yaml");
-  (void)parse_world(text, mistakes);
-  ASSERT_EQ(mistakes.list().size(), told.size()) << mistakes.text();
+void expect_diagnostics(const std::string& text, const std::vector<Told>& told) {
+  config::Diagnostics diagnostics("test.yaml");
+  (void)parse_world(text, diagnostics);
+  ASSERT_EQ(diagnostics.list().size(), told.size()) << diagnostics.text();
   for (std::size_t i = 0; i < told.size(); ++i) {
-    const config::Mistake& mistake = mistakes.list()[i];
-    EXPECT_EQ(mistake.place.line, told[i].line) << mistakes.text();
-    EXPECT_EQ(mistake.place.column, told[i].column) << mistakes.text();
-    EXPECT_THAT(mistake.message, HasSubstr(told[i].message));
-    EXPECT_THAT(mistake.hint, HasSubstr(told[i].hint));
+    const config::Diagnostic& diagnostic = diagnostics.list()[i];
+    EXPECT_EQ(diagnostic.place.line, told[i].line) << diagnostics.text();
+    EXPECT_EQ(diagnostic.place.column, told[i].column) << diagnostics.text();
+    EXPECT_THAT(diagnostic.message, HasSubstr(told[i].message));
+    EXPECT_THAT(diagnostic.hint, HasSubstr(told[i].hint));
   }
 }
 
-void expect_mistake(const std::string& tail, const Told& told) {
-  expect_mistakes(kHead + tail, {told});
+void expect_diagnostic(const std::string& tail, const Told& told) {
+  expect_diagnostics(kHead + tail, {told});
 }
 
 World expect_fine(const std::string& text) {
-  config::Mistakes mistakes("test.yaml");
-  World world = parse_world(text, mistakes);
-  EXPECT_TRUE(mistakes.none()) << mistakes.text();
+  config::Diagnostics diagnostics("test.yaml");
+  World world = parse_world(text, diagnostics);
+  EXPECT_TRUE(diagnostics.none()) << diagnostics.text();
   return world;
 }
 
@@ -124,39 +124,40 @@ TEST(WorldReader, DoesNotCareAboutTheOrderOfTheParts) {
 }
 
 TEST(WorldReader, SuggestsTheKeyThatWasMeant) {
-  expect_mistake("obstcles: []\n", {4, 1, "unknown key 'obstcles'", "did you mean 'obstacles'?"});
+  expect_diagnostic("obstcles: []\n",
+                    {4, 1, "unknown key 'obstcles'", "did you mean 'obstacles'?"});
 }
 
 TEST(WorldReader, SuggestsTheKindThatWasMeant) {
-  expect_mistake("obstacles:\n  - {kind: tabel, at: [9 m, 0 m]}\n",
-                 {5, 12, "'tabel'", "did you mean 'table'?"});
+  expect_diagnostic("obstacles:\n  - {kind: tabel, at: [9 m, 0 m]}\n",
+                    {5, 12, "'tabel'", "did you mean 'table'?"});
 }
 
 TEST(WorldReader, SuggestsTheMaterialThatWasMeant) {
-  expect_mistake("walls: [{side: left, from: 1 m, to: 2 m, material: brik}]\n",
-                 {4, 52, "nothing that ships is called 'brik'", "did you mean 'brick'?"});
+  expect_diagnostic("walls: [{side: left, from: 1 m, to: 2 m, material: brik}]\n",
+                    {4, 52, "nothing that ships is called 'brik'", "did you mean 'brick'?"});
 }
 
 TEST(WorldReader, WantsUnits) {
-  expect_mistake("doors: [{side: left, at: 5}]\n", {4, 26, "", "5 m"});
+  expect_diagnostic("doors: [{side: left, at: 5}]\n", {4, 26, "", "5 m"});
 }
 
 TEST(WorldReader, WantsFromBeforeTo) {
-  expect_mistake("windows: [{side: right, from: 9 m, to: 4 m}]\n",
-                 {4, 40, "'to' (4 m) must lie beyond 'from' (9 m)", ""});
+  expect_diagnostic("windows: [{side: right, from: 9 m, to: 4 m}]\n",
+                    {4, 40, "'to' (4 m) must lie beyond 'from' (9 m)", ""});
 }
 
 TEST(WorldReader, KeepsStretchesWithinTheCorridor) {
-  expect_mistake("lights: [{from: 0 m, to: 31 m}]\n",
-                 {4, 26, "'to' (31 m) lies outside the corridor", "0 m to 30 m"});
+  expect_diagnostic("lights: [{from: 0 m, to: 31 m}]\n",
+                    {4, 26, "'to' (31 m) lies outside the corridor", "0 m to 30 m"});
 }
 
 TEST(WorldReader, KeepsThingsBetweenTheWalls) {
-  expect_mistake("obstacles:\n  - {kind: bin, at: [9 m, 1.3 m]}\n",
-                 {5, 21, "y = 1.3 m lies outside the corridor", "-1.2 m and 1.2 m"});
-  expect_mistake("obstacles:\n  - {kind: bin, at: [9 m, 1.15 m]}\n",
-                 {5, 21, "'bin_1' stands in a wall", "middle"});
-  expect_mistake("pillars: [{at: [31 m, 0 m]}]\n", {4, 16, "x = 31 m lies outside", "30 m"});
+  expect_diagnostic("obstacles:\n  - {kind: bin, at: [9 m, 1.3 m]}\n",
+                    {5, 21, "y = 1.3 m lies outside the corridor", "-1.2 m and 1.2 m"});
+  expect_diagnostic("obstacles:\n  - {kind: bin, at: [9 m, 1.15 m]}\n",
+                    {5, 21, "'bin_1' stands in a wall", "middle"});
+  expect_diagnostic("pillars: [{at: [31 m, 0 m]}]\n", {4, 16, "x = 31 m lies outside", "30 m"});
 }
 
 TEST(WorldReader, LetsAThingStandFlushWithAWall) {
@@ -164,87 +165,88 @@ TEST(WorldReader, LetsAThingStandFlushWithAWall) {
 }
 
 TEST(WorldReader, KeepsTheStartFree) {
-  expect_mistake("obstacles: [{kind: chair, at: [1.2 m, 0.2 m]}]\nstart: {at: [1 m, 0 m]}\n",
-                 {5, 13, "the start overlaps chair_1", "0.3 m back"});
-  expect_mistake("start: {at: [0.2 m, 0 m]}\n", {4, 13, "the start overlaps a wall", ""});
+  expect_diagnostic("obstacles: [{kind: chair, at: [1.2 m, 0.2 m]}]\nstart: {at: [1 m, 0 m]}\n",
+                    {5, 13, "the start overlaps chair_1", "0.3 m back"});
+  expect_diagnostic("start: {at: [0.2 m, 0 m]}\n", {4, 13, "the start overlaps a wall", ""});
 }
 
 TEST(WorldReader, TellsOtherWidthsThatAreNone) {
-  expect_mistake("widenings: [{from: 5 m, to: 8 m, width: 2 m}]\n",
-                 {4, 41, "a widening of 2 m in a corridor of 2.4 m", "'narrowings'"});
-  expect_mistake(
+  expect_diagnostic("widenings: [{from: 5 m, to: 8 m, width: 2 m}]\n",
+                    {4, 41, "a widening of 2 m in a corridor of 2.4 m", "'narrowings'"});
+  expect_diagnostic(
       "widenings: [{from: 5 m, to: 8 m, width: 4 m}, {from: 7 m, to: 9 m, width: 3 m}]\n",
       {4, 54, "overlaps the other width from 5 m to 8 m", ""});
 }
 
 TEST(WorldReader, TellsTurnsThatDoNotFit) {
-  expect_mistake("turns: [{at: 0.5 m, angle: 90 deg}]\n", {4, 14, "needs 1.2 m of corridor", ""});
-  expect_mistake("turns: [{at: 15 m, angle: 170 deg}]\n", {4, 27, "", ""});
-  expect_mistake(
+  expect_diagnostic("turns: [{at: 0.5 m, angle: 90 deg}]\n",
+                    {4, 14, "needs 1.2 m of corridor", ""});
+  expect_diagnostic("turns: [{at: 15 m, angle: 170 deg}]\n", {4, 27, "", ""});
+  expect_diagnostic(
       "turns: [{at: 7 m, angle: 90 deg}, {at: 12 m, angle: 90 deg}, {at: 17 m, angle: 90 deg}]\n",
       {4, 67, "the corridor crosses itself", ""});
 }
 
 TEST(WorldReader, TellsWhatAPersonCannotDo) {
-  expect_mistake("people: [{walk: [[5 m, 0 m]]}]\n", {4, 17, "two points or more", "[[40 m"});
-  expect_mistake("people: [{walk: [[5 m, 0 m], [8 m, 2 m]]}]\n", {4, 17, "y = 2 m", ""});
-  expect_mistake("people: [{speed: 1 m/s}]\n", {4, 10, "what does this person do?", "walk"});
-  expect_mistake("people: [{stand: [5 m, 0 m], step_in_front: 2 per min}]\n",
-                 {4, 10, "a person does one thing", ""});
-  expect_mistake(
+  expect_diagnostic("people: [{walk: [[5 m, 0 m]]}]\n", {4, 17, "two points or more", "[[40 m"});
+  expect_diagnostic("people: [{walk: [[5 m, 0 m], [8 m, 2 m]]}]\n", {4, 17, "y = 2 m", ""});
+  expect_diagnostic("people: [{speed: 1 m/s}]\n", {4, 10, "what does this person do?", "walk"});
+  expect_diagnostic("people: [{stand: [5 m, 0 m], step_in_front: 2 per min}]\n",
+                    {4, 10, "a person does one thing", ""});
+  expect_diagnostic(
       "obstacles: [{kind: box, at: [5 m, 0 m], size: [5 m, 2.4 m, 1 m]}]\n"
       "people: [{stand: [5 m, 0.3 m]}]\n",
       {5, 18, "there is no room for a person", "0.25 m"});
 }
 
 TEST(WorldReader, MovesAPersonToTheNearestPlaceWithRoom) {
-  config::Mistakes mistakes("test.yaml");
+  config::Diagnostics diagnostics("test.yaml");
   const World world =
       parse_world(kHead +
                       "obstacles: [{kind: box, at: [5 m, 0 m], size: [0.5 m, 0.5 m, 0.5 m]}]\n"
                       "people: [{stand: [5 m, 0.3 m]}, {stand: [9 m, 1.15 m]}]\n",
-                  mistakes);
-  ASSERT_TRUE(mistakes.none()) << mistakes.text();
+                  diagnostics);
+  ASSERT_TRUE(diagnostics.none()) << diagnostics.text();
   EXPECT_GE(world.standers.at(0).at.y_m, 0.5);
   EXPECT_LT(world.standers.at(0).at.y_m, 0.6);
   EXPECT_LE(world.standers.at(1).at.y_m, 0.95);
 }
 
 TEST(WorldReader, TellsAGoalThatCannotBeReached) {
-  expect_mistake("goal: {beyond: 29.9 m}\n", {4, 16, "touch the end wall", "29.79 m"});
-  expect_mistake("goal: {beyond: 0.5 m}\n", {4, 16, "must lie beyond the start", ""});
+  expect_diagnostic("goal: {beyond: 29.9 m}\n", {4, 16, "touch the end wall", "29.79 m"});
+  expect_diagnostic("goal: {beyond: 0.5 m}\n", {4, 16, "must lie beyond the start", ""});
 }
 
 TEST(WorldReader, TellsDoorsThatOverlapAndLetsWindowsMakeWay) {
   expect_fine(kHead +
               "doors: [{side: left, at: 5 m}]\nwindows: [{side: left, from: 4 m, to: 7 m}]\n");
-  expect_mistake("doors: [{side: left, at: 5 m}, {side: left, at: 5.5 m}]\n",
-                 {4, 49, "overlaps the door at 5 m", ""});
+  expect_diagnostic("doors: [{side: left, at: 5 m}, {side: left, at: 5.5 m}]\n",
+                    {4, 49, "overlaps the door at 5 m", ""});
 }
 
 TEST(WorldReader, TellsAnImageFileThatIsMissing) {
-  expect_mistake("posters: [{side: left, at: 5 m, image: pictures/none.png}]\n",
-                 {4, 40, "there is no file 'pictures/none.png'", "world file's folder"});
+  expect_diagnostic("posters: [{side: left, at: 5 m, image: pictures/none.png}]\n",
+                    {4, 40, "there is no file 'pictures/none.png'", "world file's folder"});
 }
 
-TEST(WorldReader, TellsAnImageFileThatIsNoPicture) {
+TEST(WorldReader, TellsAnImageFileThatIsNoImage) {
   const std::string folder = testing::TempDir();
-  std::ofstream(folder + "/no_picture.png") << "hello";
-  config::Mistakes mistakes(folder + "/test.yaml");
-  (void)parse_world(kHead + "wall_material: ./no_picture.png\n", mistakes);
-  ASSERT_EQ(mistakes.list().size(), 1u) << mistakes.text();
-  EXPECT_EQ(mistakes.list()[0].place.column, 16);
-  EXPECT_THAT(mistakes.list()[0].message, HasSubstr("is no picture that can be read"));
+  std::ofstream(folder + "/no_image.png") << "hello";
+  config::Diagnostics diagnostics(folder + "/test.yaml");
+  (void)parse_world(kHead + "wall_material: ./no_image.png\n", diagnostics);
+  ASSERT_EQ(diagnostics.list().size(), 1u) << diagnostics.text();
+  EXPECT_EQ(diagnostics.list()[0].place.column, 16);
+  EXPECT_THAT(diagnostics.list()[0].message, HasSubstr("is no image that can be read"));
 }
 
 TEST(WorldReader, TellsWhatIsMissing) {
-  expect_mistakes("striate_world: 1\n",
-                  {{1, 1, "needs 'name'", ""}, {1, 1, "needs 'corridor'", ""}});
-  expect_mistakes("", {{0, 0, "empty", ""}});
+  expect_diagnostics("striate_world: 1\n",
+                     {{1, 1, "needs 'name'", ""}, {1, 1, "needs 'corridor'", ""}});
+  expect_diagnostics("", {{0, 0, "empty", ""}});
 }
 
-TEST(WorldReader, TellsAllMistakesInOnePass) {
-  config::Mistakes mistakes("test.yaml");
+TEST(WorldReader, TellsAllDiagnosticsInOnePass) {
+  config::Diagnostics diagnostics("test.yaml");
   (void)parse_world(kHead +
                         "lights: [{from: 3 m, to: 1 m}]\n"
                         "doors: [{side: lft, at: 5 m}]\n"
@@ -252,9 +254,9 @@ TEST(WorldReader, TellsAllMistakesInOnePass) {
                         "  - {kind: bin, at: [9 m, 0 m], colour: red}\n"
                         "  - {kind: bin, at: [9 m, 3 m]}\n"
                         "goal: {beyond: 40 m}\n",
-                    mistakes);
-  EXPECT_EQ(mistakes.list().size(), 5u) << mistakes.text();
-  const std::string text = mistakes.text();
+                    diagnostics);
+  EXPECT_EQ(diagnostics.list().size(), 5u) << diagnostics.text();
+  const std::string text = diagnostics.text();
   for (const char* place : {"test.yaml:4:26:", "test.yaml:5:16:", "test.yaml:7:33:",
                             "test.yaml:8:21:", "test.yaml:9:16:"}) {
     EXPECT_THAT(text, HasSubstr(place));
@@ -274,14 +276,14 @@ TEST(WorldReader, SurvivesDamagedFiles) {
       const std::uint64_t draw = random.bits(10 * trial + damage);
       text[draw % text.size()] = spice[(draw >> 32) % spice.size()];
     }
-    config::Mistakes mistakes("damaged.yaml");
-    (void)parse_world(text, mistakes);
-    refused += !mistakes.none();
+    config::Diagnostics diagnostics("damaged.yaml");
+    (void)parse_world(text, diagnostics);
+    refused += !diagnostics.none();
   }
   EXPECT_GT(refused, 100);
 }
 
-TEST(WorldReader, LoadingAMissingFileIsAUsersMistake) {
+TEST(WorldReader, LoadingAMissingFileIsAUsersDiagnostic) {
   EXPECT_THROW((void)load_world("/nowhere/world.yaml"), UserError);
 }
 

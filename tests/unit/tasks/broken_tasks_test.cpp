@@ -6,12 +6,12 @@
 #include <set>
 #include <sstream>
 
-#include "base/user_error.hpp"
-#include "tasks/task_reader.hpp"
+#include "striate/base/user_error.hpp"
+#include "striate/tasks/task_reader.hpp"
 
 /// Each file of tests/broken_tasks is checked, and what is told of it must be what stands in the
 /// .expected file beside it, to the letter: places, fault numbers, carets and suggestions.
-namespace striate {
+namespace striate::tasks {
 namespace {
 
 namespace fs = std::filesystem;
@@ -61,7 +61,7 @@ TEST(BrokenTasks, AreToldWithEveryMistakeInOnePass) {
   }
 }
 
-TEST(BrokenTasks, EveryMistakeHasANumberOfItsKindAndAPlace) {
+TEST(BrokenTasks, EveryDiagnosticHasANumberOfItsKindAndAPlace) {
   std::set<std::string> numbers;
   for (const fs::path& file : broken_files()) {
     std::istringstream text(told_of(file.string()));
@@ -124,4 +124,4 @@ TEST(BrokenTasks, FilesThatUseEachOtherALotAreLimited) {
 }
 
 }  // namespace
-}  // namespace striate
+}  // namespace striate::tasks

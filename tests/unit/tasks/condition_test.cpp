@@ -1,14 +1,15 @@
-#include "tasks/condition.hpp"
-
 #include <gtest/gtest.h>
 
-namespace striate {
+#include "striate/config/yaml.hpp"
+#include "striate/tasks/condition_registry.hpp"
+
+namespace striate::tasks {
 namespace {
 
 std::unique_ptr<Condition> condition(const std::string& yaml) {
-  config::Mistakes mistakes("t.yaml", 'T');
-  auto made = read_condition(config::parse_yaml(yaml, mistakes), mistakes);
-  EXPECT_TRUE(mistakes.none()) << mistakes.text();
+  config::Diagnostics diagnostics("t.yaml", 'T');
+  auto made = read_condition(config::parse_yaml(yaml, diagnostics), diagnostics);
+  EXPECT_TRUE(diagnostics.none()) << diagnostics.text();
   return made;
 }
 
@@ -22,9 +23,9 @@ class ConditionTest : public testing::Test {
     senses_.odometry.pose.x_m += 0.1 * forward_m_s;
     memory_.update(senses_, percept_);
   }
-  ShortTermMemory memory_{ShortTermMemorySettings{}, RobotDescription{}};
+  memory::ShortTermMemory memory_{memory::ShortTermMemorySettings{}, RobotDescription{}};
   Senses senses_;
-  Percept percept_;
+  perception::Percept percept_;
   TimePoint now_{};
 };
 
@@ -46,8 +47,8 @@ TEST_F(ConditionTest, TheChargeIsJudgedByTheVoltage) {
   EXPECT_TRUE(low->holds(memory_));
 }
 
-TEST_F(ConditionTest, APictureThatNeverCameIsOld) {
-  const auto old = condition("picture_older_than: 250 ms");
+TEST_F(ConditionTest, AnImageThatNeverCameIsOld) {
+  const auto old = condition("image_older_than: 250 ms");
   cycle(0.0);
   EXPECT_TRUE(old->holds(memory_));
   percept_.valid = true;
@@ -89,4 +90,4 @@ TEST_F(ConditionTest, TheWayBackIsCountedDown) {
 }
 
 }  // namespace
-}  // namespace striate
+}  // namespace striate::tasks

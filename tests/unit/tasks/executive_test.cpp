@@ -1,19 +1,19 @@
-#include "tasks/executive.hpp"
+#include "striate/tasks/executive.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "tasks/nodes/limited_node.hpp"
-#include "tasks/nodes/only_if_node.hpp"
-#include "tasks/nodes/optional_node.hpp"
-#include "tasks/nodes/recover_node.hpp"
-#include "tasks/nodes/repeat_node.hpp"
-#include "tasks/nodes/sequence_node.hpp"
-#include "tasks/nodes/together_node.hpp"
-#include "tasks/nodes/try_node.hpp"
+#include "striate/tasks/nodes/limited_node.hpp"
+#include "striate/tasks/nodes/only_if_node.hpp"
+#include "striate/tasks/nodes/optional_node.hpp"
+#include "striate/tasks/nodes/recover_node.hpp"
+#include "striate/tasks/nodes/repeat_node.hpp"
+#include "striate/tasks/nodes/sequence_node.hpp"
+#include "striate/tasks/nodes/together_node.hpp"
+#include "striate/tasks/nodes/try_node.hpp"
 #include "tests/reference/scripted_behaviour.hpp"
 
-namespace striate {
+namespace striate::tasks {
 namespace {
 
 using reference::AfterLooks;
@@ -36,7 +36,7 @@ std::vector<Guard> guard(Guard::Kind kind, std::unique_ptr<Condition> condition)
 class Between final : public Condition {
  public:
   Between(int from, int to) : from_(from), to_(to) {}
-  [[nodiscard]] bool holds(const ShortTermMemory&) const override {
+  [[nodiscard]] bool holds(const memory::ShortTermMemory&) const override {
     ++looks_;
     return looks_ > from_ && looks_ <= to_;
   }
@@ -80,9 +80,9 @@ class ExecutiveTest : public testing::Test {
   void run(Executive& executive, int limit = 200) {
     for (int i = 0; i < limit && !executive.ended(); ++i) {
       now_ += std::chrono::milliseconds(100);
-      const Claim claim = executive.tick(memory_, now_).claim;
+      const behaviours::Claim claim = executive.tick(memory_, now_).claim;
       driven_ += claim.wish.forward_m_s > 0.0 ? 1 : 0;
-      guarded_ += claim.owner == MotorOwner::guard ? 1 : 0;
+      guarded_ += claim.owner == behaviours::MotorOwner::guard ? 1 : 0;
     }
     EXPECT_TRUE(executive.ended());
   }
@@ -94,7 +94,7 @@ class ExecutiveTest : public testing::Test {
   }
 
   Log log_;
-  ShortTermMemory memory_{ShortTermMemorySettings{}, RobotDescription{}};
+  memory::ShortTermMemory memory_{memory::ShortTermMemorySettings{}, RobotDescription{}};
   TimePoint now_{};
   int driven_ = 0;
   int guarded_ = 0;
@@ -110,7 +110,7 @@ TEST_F(ExecutiveTest, RunsStepsInOrderAndThenFinally) {
 }
 
 TEST_F(ExecutiveTest, UntilHaltsTheActionBeforeTheNextStarts) {
-  run(task(sequence(until(act({"a", 100, Progress::failed, 3}), 4), act({"b", 1}))));
+  run(task(sequence(until(act({"a", 100, behaviours::Progress::failed, 3}), 4), act({"b", 1}))));
   EXPECT_EQ(state_, MissionState::succeeded);
   EXPECT_THAT(log_, ElementsAre("start a", "halted a", "start b", "end b"));
   EXPECT_EQ(driven_, 4 + 1);
@@ -118,15 +118,16 @@ TEST_F(ExecutiveTest, UntilHaltsTheActionBeforeTheNextStarts) {
 
 TEST_F(ExecutiveTest, WithinFailsTheMissionAndStillRunsFinally) {
   run(task(sequence(within_1s(act({"a", 1000})), act({"never", 1})),
-           finally(act({"f", 1, Progress::failed}), act({"g", 1}))));
+           finally(act({"f", 1, behaviours::Progress::failed}), act({"g", 1}))));
   EXPECT_EQ(state_, MissionState::failed);
   EXPECT_THAT(reason_, HasSubstr("a (line 7) took longer than 1 s"));
   EXPECT_THAT(log_, ElementsAre("start a", "halted a", "start f", "end f", "start g", "end g"));
 }
 
 TEST_F(ExecutiveTest, AFailureIsRecoveredAndTriedAgainAsOftenAsAllowed) {
-  run(task(sequence(std::make_unique<RecoverNode>(act({"a", 1, Progress::failed}),
-                                                  finally(act({"r", 1, Progress::failed})), 2))));
+  run(task(sequence(
+      std::make_unique<RecoverNode>(act({"a", 1, behaviours::Progress::failed}),
+                                    finally(act({"r", 1, behaviours::Progress::failed})), 2))));
   EXPECT_EQ(state_, MissionState::failed);
   EXPECT_THAT(reason_, HasSubstr("a (line 7): scripted"));
   EXPECT_THAT(log_, ElementsAre("start a", "end a", "start r", "end r", "start a", "end a",
@@ -135,7 +136,7 @@ TEST_F(ExecutiveTest, AFailureIsRecoveredAndTriedAgainAsOftenAsAllowed) {
 
 TEST_F(ExecutiveTest, AnInterruptionHaltsThenRunsFinallyAndNothingDrivesWhileHalting) {
   Executive executive(
-      task(sequence(act({"a", 1000, Progress::succeeded, 5})), finally(act({"f", 1}))));
+      task(sequence(act({"a", 1000, behaviours::Progress::succeeded, 5})), finally(act({"f", 1}))));
   for (int i = 0; i < 3; ++i) executive.tick(memory_, now_);
   executive.interrupt(MissionState::interrupted, "Ctrl-C");
   run(executive);
@@ -153,8 +154,8 @@ TEST_F(ExecutiveTest, AnInterruptionBeforeTheFirstCycleStillRunsFinally) {
 }
 
 TEST_F(ExecutiveTest, AnInterruptionDuringRecoveryHaltsTheRecovery) {
-  Executive executive(task(sequence(std::make_unique<RecoverNode>(act({"a", 0, Progress::failed}),
-                                                                  finally(act({"r", 1000})), 1))));
+  Executive executive(task(sequence(std::make_unique<RecoverNode>(
+      act({"a", 0, behaviours::Progress::failed}), finally(act({"r", 1000})), 1))));
   for (int i = 0; i < 3; ++i) executive.tick(memory_, now_);
   executive.interrupt(MissionState::interrupted, "Ctrl-C");
   run(executive);
@@ -170,24 +171,24 @@ TEST_F(ExecutiveTest, AFinallyThatNeverEndsIsHalted) {
 
 TEST_F(ExecutiveTest, TryTakesTheFirstThatWorks) {
   run(task(std::make_unique<TryNode>(
-      nodes(act({"a", 1, Progress::failed}), act({"b", 1}), act({"c", 1})))));
+      nodes(act({"a", 1, behaviours::Progress::failed}), act({"b", 1}), act({"c", 1})))));
   EXPECT_EQ(state_, MissionState::succeeded);
   EXPECT_EQ(reason_, "");
   EXPECT_THAT(log_, ElementsAre("start a", "end a", "start b", "end b"));
 }
 
 TEST_F(ExecutiveTest, TryFailsWhenAllFail) {
-  run(task(std::make_unique<TryNode>(
-      nodes(act({"a", 1, Progress::failed}), act({"b", 0, Progress::failed})))));
+  run(task(std::make_unique<TryNode>(nodes(act({"a", 1, behaviours::Progress::failed}),
+                                           act({"b", 0, behaviours::Progress::failed})))));
   EXPECT_EQ(state_, MissionState::failed);
   EXPECT_THAT(reason_, HasSubstr("b (line 7)"));
 }
 
 TEST_F(ExecutiveTest, TogetherMovesWheelsAndHeadAndWaitsForBoth) {
-  Executive executive(task(
-      std::make_unique<TogetherNode>(nodes(act({"w", 3, Progress::succeeded, 0, Motors::wheels}),
-                                           act({"h", 1, Progress::succeeded, 0, Motors::head})))));
-  Wish wish = executive.tick(memory_, now_).claim.wish;
+  Executive executive(task(std::make_unique<TogetherNode>(
+      nodes(act({"w", 3, behaviours::Progress::succeeded, 0, behaviours::Motors::wheels}),
+            act({"h", 1, behaviours::Progress::succeeded, 0, behaviours::Motors::head})))));
+  behaviours::Wish wish = executive.tick(memory_, now_).claim.wish;
   EXPECT_EQ(wish.forward_m_s, 0.3);
   EXPECT_EQ(wish.pan_rad, 0.5);
   EXPECT_EQ(executive.current_action(), "w");
@@ -200,9 +201,9 @@ TEST_F(ExecutiveTest, TogetherMovesWheelsAndHeadAndWaitsForBoth) {
 }
 
 TEST_F(ExecutiveTest, TogetherHaltsTheOthersWhenOneFails) {
-  run(task(
-      std::make_unique<TogetherNode>(nodes(act({"w", 30, Progress::succeeded, 4, Motors::wheels}),
-                                           act({"h", 1, Progress::failed, 0, Motors::head})))));
+  run(task(std::make_unique<TogetherNode>(
+      nodes(act({"w", 30, behaviours::Progress::succeeded, 4, behaviours::Motors::wheels}),
+            act({"h", 1, behaviours::Progress::failed, 0, behaviours::Motors::head})))));
   EXPECT_EQ(state_, MissionState::failed);
   EXPECT_THAT(log_, ElementsAre("start w", "start h", "end h", "halted w"));
 }
@@ -238,8 +239,8 @@ TEST_F(ExecutiveTest, WhatIsNotWantedIsSkippedInTheSameCycle) {
 }
 
 TEST_F(ExecutiveTest, AnOptionalFailureIsNone) {
-  run(task(
-      sequence(std::make_unique<OptionalNode>(act({"a", 1, Progress::failed})), act({"b", 1}))));
+  run(task(sequence(std::make_unique<OptionalNode>(act({"a", 1, behaviours::Progress::failed})),
+                    act({"b", 1}))));
   EXPECT_EQ(state_, MissionState::succeeded);
 }
 
@@ -253,7 +254,7 @@ TEST_F(ExecutiveTest, APauseHoldsTheRobotStillAndTheActionGoesOnAfterIt) {
 }
 
 TEST_F(ExecutiveTest, AGuardThatFailsHaltsAndRunsFinally) {
-  run(task(sequence(act({"a", 1000, Progress::succeeded, 2})), finally(act({"f", 1})),
+  run(task(sequence(act({"a", 1000, behaviours::Progress::succeeded, 2})), finally(act({"f", 1})),
            guard(Guard::Kind::fail_if, std::make_unique<AfterLooks>(3))));
   EXPECT_EQ(state_, MissionState::failed);
   EXPECT_EQ(reason_, "guard (line 3): looked: often");
@@ -271,4 +272,4 @@ TEST_F(ExecutiveTest, AUsedTaskRunsItsOwnFinallyAlsoWhenItIsInterrupted) {
 }
 
 }  // namespace
-}  // namespace striate
+}  // namespace striate::tasks

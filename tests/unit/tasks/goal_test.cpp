@@ -1,19 +1,19 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "config/mistakes.hpp"
-#include "tasks/task_reader.hpp"
+#include "striate/config/diagnostics.hpp"
+#include "striate/tasks/task_reader.hpp"
 
 /// What a mission is after is a key of the script, whatever its variables are called.
-namespace striate {
+namespace striate::tasks {
 namespace {
 
 using testing::HasSubstr;
 
 Task task_of(const std::string& head) {
-  config::Mistakes mistakes(std::string(STRIATE_SOURCE_DIR "/config/tasks/t.yaml"), 'T');
-  Task task = read_task("striate: 1\n" + head + "do:\n  - stop: {}\n", mistakes, {});
-  EXPECT_TRUE(mistakes.none()) << mistakes.text();
+  config::Diagnostics diagnostics(std::string(STRIATE_SOURCE_DIR "/config/tasks/t.yaml"), 'T');
+  Task task = read_task("striate: 1\n" + head + "do:\n  - stop: {}\n", diagnostics, {});
+  EXPECT_TRUE(diagnostics.none()) << diagnostics.text();
   return task;
 }
 
@@ -27,7 +27,7 @@ TEST(TaskGoal, IsTheStepsUnlessTheScriptSaysLine) {
 TEST(TaskGoal, IsTheLineForAVariableCalledWayUntilTheNextVersionWithANoteThatSaysTheKey) {
   const Task old = task_of("vars: {cruise: 0.3 m/s, way: 12 m}\n");
   EXPECT_EQ(old.goal, TaskGoal::line);
-  EXPECT_THAT(old.notices, HasSubstr("t.yaml:2:26: note: a variable 'way'"));
+  EXPECT_THAT(old.notices, HasSubstr("t.yaml:2:25: note: a variable 'way'"));
   EXPECT_THAT(old.notices, HasSubstr("'goal: line'"));
 }
 
@@ -39,10 +39,10 @@ TEST(TaskGoal, IsWhatIsSaidAlsoBesideAVariableCalledWay) {
 }
 
 TEST(TaskGoal, IsNotThatOfAUsedTask) {
-  config::Mistakes mistakes(std::string(STRIATE_SOURCE_DIR "/config/tasks/t.yaml"), 'T');
+  config::Diagnostics diagnostics(std::string(STRIATE_SOURCE_DIR "/config/tasks/t.yaml"), 'T');
   const Task task =
-      read_task("striate: 1\ndo:\n  - use: corridor.yaml\n", mistakes, RobotDescription{});
-  ASSERT_TRUE(mistakes.none()) << mistakes.text();
+      read_task("striate: 1\ndo:\n  - use: corridor.yaml\n", diagnostics, RobotDescription{});
+  ASSERT_TRUE(diagnostics.none()) << diagnostics.text();
   EXPECT_EQ(task.goal, TaskGoal::steps);
   EXPECT_EQ(task.notices, "");
 }
@@ -66,4 +66,4 @@ TEST(ShippedTasks, SayTheirGoalByItsKey) {
 }
 
 }  // namespace
-}  // namespace striate
+}  // namespace striate::tasks

@@ -3,25 +3,25 @@
 #include <map>
 #include <random>
 
-#include "tasks/executive.hpp"
-#include "tasks/nodes/limited_node.hpp"
-#include "tasks/nodes/only_if_node.hpp"
-#include "tasks/nodes/optional_node.hpp"
-#include "tasks/nodes/recover_node.hpp"
-#include "tasks/nodes/repeat_node.hpp"
-#include "tasks/nodes/sequence_node.hpp"
-#include "tasks/nodes/together_node.hpp"
-#include "tasks/nodes/try_node.hpp"
+#include "striate/tasks/executive.hpp"
+#include "striate/tasks/nodes/limited_node.hpp"
+#include "striate/tasks/nodes/only_if_node.hpp"
+#include "striate/tasks/nodes/optional_node.hpp"
+#include "striate/tasks/nodes/recover_node.hpp"
+#include "striate/tasks/nodes/repeat_node.hpp"
+#include "striate/tasks/nodes/sequence_node.hpp"
+#include "striate/tasks/nodes/together_node.hpp"
+#include "striate/tasks/nodes/try_node.hpp"
 #include "tests/reference/scripted_behaviour.hpp"
 
 /// What must hold for every tree, tried on random ones.
-namespace striate {
+namespace striate::tasks {
 namespace {
 
 /// What all actions of one run do, and what they must not.
 struct Watch {
   struct Seen {
-    Motors motors = Motors::nothing;
+    behaviours::Motors motors = behaviours::Motors::nothing;
     int started = 0;
     int ended = 0;  ///< by itself or halted
   };
@@ -32,7 +32,7 @@ struct Watch {
   void started(std::size_t me) {
     EXPECT_FALSE(runs(me)) << "started twice";
     for (std::size_t i = 0; i < actions.size(); ++i) {
-      EXPECT_FALSE(i != me && runs(i) && share(actions[i].motors, actions[me].motors))
+      EXPECT_FALSE(i != me && runs(i) && behaviours::share(actions[i].motors, actions[me].motors))
           << "started before the one that had its motors was halted";
     }
     ++actions[me].started;
@@ -43,30 +43,31 @@ struct Watch {
   }
 };
 
-class Watched final : public Behaviour {
+class Watched final : public behaviours::Behaviour {
  public:
   Watched(Watch& watch, std::size_t me, std::mt19937& random)
       : watch_(watch), me_(me), random_(random) {}
-  void start(const ShortTermMemory&) override {
+  void start(const memory::ShortTermMemory&) override {
     watch_.started(me_);
     left_ = static_cast<int>(random_() % 6);
     halts_left_ = static_cast<int>(random_() % 4);
     halting_ = false;
   }
-  Wish tick(const ShortTermMemory& memory) override {
+  behaviours::Wish tick(const memory::ShortTermMemory& memory) override {
     EXPECT_TRUE(watch_.runs(me_) && !halting_);
-    if (--left_ >= 0) return standing_wish(memory, "runs");
+    if (--left_ >= 0) return behaviours::standing_wish(memory, "runs");
     watch_.ended(me_);
     const bool good = random_() % 3 != 0;
-    return final_wish(memory, good ? Progress::succeeded : Progress::failed, "ended");
+    return behaviours::final_wish(
+        memory, good ? behaviours::Progress::succeeded : behaviours::Progress::failed, "ended");
   }
-  bool halt(const ShortTermMemory&) override {
+  bool halt(const memory::ShortTermMemory&) override {
     halting_ = true;
     if (--halts_left_ >= 0) return false;
     watch_.ended(me_);
     return true;
   }
-  [[nodiscard]] Motors motors() const override { return watch_.actions[me_].motors; }
+  [[nodiscard]] behaviours::Motors motors() const override { return watch_.actions[me_].motors; }
 
  private:
   Watch& watch_;
@@ -80,7 +81,7 @@ class Watched final : public Behaviour {
 class Chance final : public Condition {
  public:
   Chance(std::mt19937& random, unsigned one_in) : random_(random), one_in_(one_in) {}
-  [[nodiscard]] bool holds(const ShortTermMemory&) const override {
+  [[nodiscard]] bool holds(const memory::ShortTermMemory&) const override {
     return random_() % one_in_ == 0;
   }
 
@@ -94,7 +95,7 @@ class RandomTree {
   explicit RandomTree(unsigned seed) : random_(seed) {}
 
   /// A task with `finally`; its first step and its last action are noted, for each must run.
-  NodePtr scope(int depth, Motors motors) {
+  NodePtr scope(int depth, behaviours::Motors motors) {
     const std::size_t first = actions_made();
     std::vector<NodePtr> steps;
     steps.push_back(action(motors));
@@ -133,34 +134,34 @@ class RandomTree {
   std::unique_ptr<Condition> chance(unsigned one_in) {
     return std::make_unique<Chance>(random_, one_in);
   }
-  NodePtr action(Motors motors) {
+  NodePtr action(behaviours::Motors motors) {
     const std::size_t me = actions_made();
     watch_.actions.push_back({motors, 0, 0});
     return std::make_unique<ActionNode>("action", static_cast<int>(me),
                                         std::make_unique<Watched>(watch_, me, random_));
   }
-  std::vector<NodePtr> several(int depth, Motors motors) {
+  std::vector<NodePtr> several(int depth, behaviours::Motors motors) {
     std::vector<NodePtr> list(1 + random_() % 4);
     for (NodePtr& child : list) child = any(depth, motors);
     return list;
   }
-  NodePtr limited(int depth, Motors motors) {
+  NodePtr limited(int depth, behaviours::Motors motors) {
     Limits limits;
     if (random_() % 2 == 0) limits.until = chance(5);
     if (random_() % 2 == 0) limits.within = std::chrono::milliseconds(random_() % 1500);
     return std::make_unique<LimitedNode>("limited", 1, any(depth, motors), std::move(limits));
   }
-  NodePtr together(int depth, Motors motors) {
+  NodePtr together(int depth, behaviours::Motors motors) {
     std::vector<NodePtr> list;
-    if (motors == Motors::both) {
-      list.push_back(any(depth, Motors::head));
-      motors = Motors::wheels;
+    if (motors == behaviours::Motors::both) {
+      list.push_back(any(depth, behaviours::Motors::head));
+      motors = behaviours::Motors::wheels;
     }
     list.push_back(any(depth, motors));
-    list.push_back(any(depth, Motors::nothing));
+    list.push_back(any(depth, behaviours::Motors::nothing));
     return std::make_unique<TogetherNode>(std::move(list));
   }
-  NodePtr any(int depth, Motors motors) {
+  NodePtr any(int depth, behaviours::Motors motors) {
     if (depth-- == 0) return action(motors);
     switch (random_() % 10) {
       case 0:
@@ -193,14 +194,14 @@ class RandomTree {
 };
 
 TEST(RandomTrees, HaltBeforeTheyStartEndWhatTheyStartedAndRunFinally) {
-  const ShortTermMemory memory({}, {});
+  const memory::ShortTermMemory memory({}, {});
   long started = 0;
   int interrupted = 0;
   for (unsigned seed = 1; seed <= 10000 && !testing::Test::HasFailure(); ++seed) {
     SCOPED_TRACE(seed);
     RandomTree tree(seed);
     Task task;
-    NodePtr root = tree.scope(1 + static_cast<int>(seed % 5), Motors::both);
+    NodePtr root = tree.scope(1 + static_cast<int>(seed % 5), behaviours::Motors::both);
     task.root.reset(static_cast<ScopeNode*>(root.release()));
     Executive executive(std::move(task));
     const int interrupt_at = seed % 2 == 0 ? static_cast<int>(tree.random()() % 60) : 100000;
@@ -220,4 +221,4 @@ TEST(RandomTrees, HaltBeforeTheyStartEndWhatTheyStartedAndRunFinally) {
 }
 
 }  // namespace
-}  // namespace striate
+}  // namespace striate::tasks

@@ -1,18 +1,19 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "tasks/show/outline.hpp"
-#include "tasks/task_reader.hpp"
+#include "striate/tasks/show/outline.hpp"
+#include "striate/tasks/task_reader.hpp"
 
-namespace striate {
+namespace striate::tasks {
 namespace {
 
 using testing::HasSubstr;
 
 Outline outline_of(const std::string& yaml) {
-  config::Mistakes mistakes(std::string(STRIATE_SOURCE_DIR "/tests/broken_tasks/t.yaml"), 'T');
-  Task task = read_task(yaml, mistakes, RobotDescription{});
-  EXPECT_TRUE(mistakes.none()) << mistakes.text();
+  config::Diagnostics diagnostics(std::string(STRIATE_SOURCE_DIR "/tests/broken_tasks/t.yaml"),
+                                  'T');
+  Task task = read_task(yaml, diagnostics, RobotDescription{});
+  EXPECT_TRUE(diagnostics.none()) << diagnostics.text();
   return std::move(task.outline);
 }
 
@@ -70,7 +71,7 @@ TEST(Show, DrawsUsedTasksWithTheirParametersInPlace) {
                               "│        └─ traverse_corridor {speed: 0.3 m/s}  "));
 }
 
-TEST(Show, WritesAPictureWithOneBoxANode) {
+TEST(Show, WritesAnImageWithOneBoxANode) {
   const std::string svg = svg_tree(outline_of(kEverything));
   EXPECT_TRUE(is_well_formed(svg));
   EXPECT_THAT(svg, HasSubstr("say {text: a &lt; b &amp; &quot;c&quot;}"));
@@ -104,4 +105,4 @@ TEST(Show, WritesTheXmlOfBehaviorTreeCpp) {
 }
 
 }  // namespace
-}  // namespace striate
+}  // namespace striate::tasks

@@ -1,25 +1,25 @@
-#include "tasks/task_reader.hpp"
+#include "striate/tasks/task_reader.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <filesystem>
 
-#include "base/user_error.hpp"
+#include "striate/base/user_error.hpp"
 
-namespace striate {
+namespace striate::tasks {
 namespace {
 
 using testing::HasSubstr;
 
-std::string mistakes_of(const std::string& yaml) {
-  config::Mistakes mistakes("t.yaml", 'T');
-  read_task(yaml, mistakes, RobotDescription{});
-  return mistakes.text();
+std::string diagnostics_of(const std::string& yaml) {
+  config::Diagnostics diagnostics("t.yaml", 'T');
+  read_task(yaml, diagnostics, RobotDescription{});
+  return diagnostics.text();
 }
 
 TEST(TaskReader, ReadsStepsVariablesLimitsAndRecovery) {
-  config::Mistakes mistakes("t.yaml", 'T');
+  config::Diagnostics diagnostics("t.yaml", 'T');
   const Task task = read_task(
       "striate: 1\n"
       "mission: there\n"
@@ -35,8 +35,8 @@ TEST(TaskReader, ReadsStepsVariablesLimitsAndRecovery) {
       "  - stop: {}\n"
       "finally:\n"
       "  - stop:\n",
-      mistakes, RobotDescription{});
-  ASSERT_TRUE(mistakes.none()) << mistakes.text();
+      diagnostics, RobotDescription{});
+  ASSERT_TRUE(diagnostics.none()) << diagnostics.text();
   EXPECT_EQ(task.mission, "there");
   EXPECT_EQ(task.goal, TaskGoal::steps);
   EXPECT_EQ(task.notices, "");
@@ -52,8 +52,8 @@ TEST(TaskReader, ReadsStepsVariablesLimitsAndRecovery) {
             "   └─ stop\n");
 }
 
-TEST(TaskReader, TellsAllMistakesInOnePassWithTheirPlaces) {
-  const std::string text = mistakes_of(
+TEST(TaskReader, TellsAllDiagnosticsInOnePassWithTheirPlaces) {
+  const std::string text = diagnostics_of(
       "striate: 2\n"                              // 1: version
       "misson: x\n"                               // 2: unknown key
       "vars: {cruise: 0.3 m/s}\n"                 // 3
@@ -91,29 +91,29 @@ TEST(TaskReader, GivenValuesReplaceDeclaredVariablesOnly) {
   const std::string script =
       "striate: 1\nvars: {far: 3 m}\ndo:\n  - traverse_corridor: {}\n    until: {travelled: "
       "$far}\n";
-  config::Mistakes good("t.yaml");
+  config::Diagnostics good("t.yaml");
   read_task(script, good, RobotDescription{}, {{"far", "5 m"}, {"other", "7 s"}});
   EXPECT_TRUE(good.none()) << good.text();
-  config::Mistakes bad("t.yaml");
+  config::Diagnostics bad("t.yaml");
   read_task(script, bad, RobotDescription{}, {{"far", "5 s"}});
   EXPECT_THAT(bad.text(), HasSubstr("'5 s' has the wrong unit"));
   EXPECT_THAT(bad.text(), HasSubstr("$far is '5 s', given from outside"));
 }
 
 TEST(TaskReader, AGoalAtTheEndOfItsTimeIsReached) {
-  EXPECT_THAT(mistakes_of("striate: 1\ndo:\n  - traverse_corridor: {}\n"
-                          "    until: {after: 10 s}\n    within: 10 s\n"),
+  EXPECT_THAT(diagnostics_of("striate: 1\ndo:\n  - traverse_corridor: {}\n"
+                             "    until: {after: 10 s}\n    within: 10 s\n"),
               testing::Not(HasSubstr("T033")));
 }
 
 TEST(TaskReader, SaysWhatIsMissing) {
-  EXPECT_THAT(mistakes_of("mission: x\n"), HasSubstr("the task needs 'striate'"));
-  EXPECT_THAT(mistakes_of("striate: 1\n"), HasSubstr("the task needs 'do'"));
-  EXPECT_THAT(mistakes_of("striate: 1\ndo: []\n"), HasSubstr("'do' has no steps"));
-  EXPECT_THAT(mistakes_of("striate: 1\ndo:\n  - within: 3 s\n"),
+  EXPECT_THAT(diagnostics_of("mission: x\n"), HasSubstr("the task needs 'striate'"));
+  EXPECT_THAT(diagnostics_of("striate: 1\n"), HasSubstr("the task needs 'do'"));
+  EXPECT_THAT(diagnostics_of("striate: 1\ndo: []\n"), HasSubstr("'do' has no steps"));
+  EXPECT_THAT(diagnostics_of("striate: 1\ndo:\n  - within: 3 s\n"),
               HasSubstr("this step has no action"));
-  EXPECT_THAT(mistakes_of("- a\n"), HasSubstr("a task script must be a map"));
-  EXPECT_THAT(mistakes_of(""), HasSubstr("the file is empty"));
+  EXPECT_THAT(diagnostics_of("- a\n"), HasSubstr("a task script must be a map"));
+  EXPECT_THAT(diagnostics_of(""), HasSubstr("the file is empty"));
 }
 
 TEST(TaskReader, EveryShippedScriptIsGood) {
@@ -128,22 +128,22 @@ TEST(TaskReader, EveryShippedScriptIsGood) {
 }
 
 TEST(TaskReader, TakesAnActionsMainValueWithoutItsName) {
-  config::Mistakes mistakes("t.yaml", 'T');
+  config::Diagnostics diagnostics("t.yaml", 'T');
   const Task task =
-      read_task("striate: 1\ndo:\n  - say: \"I see it\"\n  - wait: 3 s\n  - wait: 3 m\n", mistakes,
-                RobotDescription{});
-  ASSERT_EQ(mistakes.count(), 1U) << mistakes.text();
-  EXPECT_THAT(mistakes.text(), HasSubstr("t.yaml:5:11: error[T015]: '3 m' has the wrong unit"));
+      read_task("striate: 1\ndo:\n  - say: \"I see it\"\n  - wait: 3 s\n  - wait: 3 m\n",
+                diagnostics, RobotDescription{});
+  ASSERT_EQ(diagnostics.count(), 1U) << diagnostics.text();
+  EXPECT_THAT(diagnostics.text(), HasSubstr("t.yaml:5:11: error[T015]: '3 m' has the wrong unit"));
   EXPECT_THAT(text_tree(task.outline), HasSubstr("say {text: I see it}\n   ├─ wait {for: 3 s}"));
 }
 
 TEST(TaskReader, ReadsEveryKindOfNode) {
-  config::Mistakes mistakes("t.yaml", 'T');
+  config::Diagnostics diagnostics("t.yaml", 'T');
   const Task task = read_task(
       "striate: 1\n"
       "mission: all\n"
       "always:\n"
-      "  - pause_if: {picture_older_than: 250 ms}\n"
+      "  - pause_if: {image_older_than: 250 ms}\n"
       "do:\n"
       "  - try:\n"
       "      - back_up: {}\n"
@@ -158,12 +158,12 @@ TEST(TaskReader, ReadsEveryKindOfNode) {
       "    optional: true\n"
       "  - do:\n"
       "      - stop: {}\n",
-      mistakes, RobotDescription{});
-  ASSERT_TRUE(mistakes.none()) << mistakes.text();
+      diagnostics, RobotDescription{});
+  ASSERT_TRUE(diagnostics.none()) << diagnostics.text();
   EXPECT_EQ(text_tree(task.outline),
             "task all\n"
             "├─ always\n"
-            "│  └─ pause_if picture_older_than: 250 ms\n"
+            "│  └─ pause_if image_older_than: 250 ms\n"
             "└─ do\n"
             "   ├─ try  (only if after: 0 s)\n"
             "   │  ├─ back_up\n"
@@ -179,4 +179,4 @@ TEST(TaskReader, ReadsEveryKindOfNode) {
 }
 
 }  // namespace
-}  // namespace striate
+}  // namespace striate::tasks

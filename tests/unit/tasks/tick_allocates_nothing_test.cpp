@@ -1,14 +1,14 @@
 #include <gtest/gtest.h>
 
-#include "tasks/executive.hpp"
+#include "striate/tasks/executive.hpp"
 #include "tests/reference/counted_allocations.hpp"
 #include "tests/reference/fifty_nodes.hpp"
 
-namespace striate {
+namespace striate::tasks {
 namespace {
 
 TEST(Ticking, AllocatesNothingAlsoWhenStepsEndFailAndAreHalted) {
-  const ShortTermMemory memory({}, {});
+  const memory::ShortTermMemory memory({}, {});
   reference::FiftyNodes tree;
   Executive executive(std::move(tree.task));
   TimePoint now{};
@@ -23,4 +23,4 @@ TEST(Ticking, AllocatesNothingAlsoWhenStepsEndFailAndAreHalted) {
 }
 
 }  // namespace
-}  // namespace striate
+}  // namespace striate::tasks

@@ -1,0 +1,26 @@
+#include "striate/agent/open_memory.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <ctime>
+
+namespace striate::agent {
+
+memory::MemoryOptions memory_options(memory::Access access, const std::string& who) {
+  memory::MemoryOptions options;
+  options.access = access;
+  options.software = who;
+  options.now_unix_s = static_cast<std::int64_t>(std::time(nullptr));
+  return options;
+}
+
+std::string software_name() {
+  return std::string("striate ") + STRIATE_VERSION;
+}
+
+void print_notices(const std::vector<std::string>& notices) {
+  for (const std::string& notice : notices) fmt::print(stderr, "{}\n", notice);
+}
+
+}  // namespace striate::agent

@@ -1,0 +1,28 @@
+#include <utility>
+
+#include "striate/agent/body.hpp"
+#include "striate/base/user_error.hpp"
+#include "striate/platform/pioneer/pioneer_robot.hpp"
+
+namespace striate::agent {
+
+BodySource real_pioneer() {
+  return {.wake = [](const RobotSettings& settings) -> Body {
+    const pioneer::DevicePlaces& places = settings.pioneer.devices;
+    if (places.base.empty() || places.camera.empty()) {
+      throw UserError(
+          "striate run: without --world the task is run with a real robot, and --robot "
+          "FILE must say where its base and its camera are\n"
+          "  hint: config/robots/pioneer.yaml does");
+    }
+    auto robot =
+        std::make_unique<pioneer::PioneerRobot>(settings.pioneer, described_by(settings.robot));
+    const auto hold = [&driver = robot->driver()] {
+      const pioneer::HoldReason reason = driver.report().hold;
+      return reason == pioneer::HoldReason::none ? std::string() : std::string(name_of(reason));
+    };
+    return {.robot = std::move(robot), .place = places.base, .hold = hold};
+  }};
+}
+
+}  // namespace striate::agent

@@ -1,0 +1,65 @@
+#include "striate/agent/teaching/image_view.hpp"
+
+#include <algorithm>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "striate/memory/long_term/view_codec.hpp"
+#include "striate/perception/recognition/oriented_keypoints.hpp"
+
+namespace striate::agent {
+namespace {
+
+/// px: the size recognition was measured at (jsk_arc2017, 640 x 480)
+constexpr int kLongestSide_px = 640;
+constexpr int kShortestSide_px = 16;  ///< below it there is nothing to look for
+constexpr int kJpegQuality = 90;      ///< of 100: so mild that no blocks are seen (ours)
+
+cv::Mat3b shrunk(const cv::Mat3b& image) {
+  const int side = std::max(image.cols, image.rows);
+  if (side <= kLongestSide_px) return image;
+  const double scale = static_cast<double>(kLongestSide_px) / side;
+  cv::Mat3b small;
+  // A strip a pixel high stays one pixel high.
+  const cv::Size size(std::max(1, cvRound(scale * image.cols)),
+                      std::max(1, cvRound(scale * image.rows)));
+  cv::resize(image, small, size, 0.0, 0.0, cv::INTER_AREA);
+  return small;
+}
+
+perception::ViewKeypoint stored(const perception::Keypoint& point) {
+  return {static_cast<float>(point.u_px), static_cast<float>(point.v_px),
+          static_cast<float>(point.wavelength_px), static_cast<float>(point.angle_rad)};
+}
+
+}  // namespace
+
+std::vector<perception::Keypoint> keypoints_to_learn(const cv::Mat1b& grey) {
+  return perception::OrientedKeypoints(perception::OrientedSettings{})(grey);
+}
+
+memory::StoredView view_of_image(const cv::Mat3b& image, const memory::LongTermSettings& settings) {
+  const cv::Mat3b small = shrunk(image);
+  memory::StoredView view;
+  view.width_px = small.cols;
+  view.height_px = small.rows;
+  cv::imencode(".jpg", small, view.image, {cv::IMWRITE_JPEG_QUALITY, kJpegQuality});
+  if (std::min(small.cols, small.rows) < kShortestSide_px) return view;
+  cv::Mat1b grey;
+  cv::cvtColor(small, grey, cv::COLOR_BGR2GRAY);
+  std::vector<perception::Keypoint> points = keypoints_to_learn(grey);
+  std::stable_sort(points.begin(), points.end(),
+                   [](const perception::Keypoint& a, const perception::Keypoint& b) {
+                     return a.response > b.response;
+                   });
+  if (static_cast<int>(points.size()) > settings.most_keypoints) {
+    points.resize(static_cast<std::size_t>(settings.most_keypoints));
+  }
+  for (const perception::Keypoint& point : points) {
+    view.keypoints.push_back(stored(point));
+    view.descriptors.push_back(memory::stored(point.descriptor));
+  }
+  return view;
+}
+
+}  // namespace striate::agent

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace striate::app {
+
+/// What `striate perceive` is asked: one image pair, any pair, and where the answers go.
+struct PerceiveOptions {
+  std::filesystem::path left;
+  std::filesystem::path right;        ///< empty: one eye; saliency, keypoints and overview only
+  std::filesystem::path out;          ///< folder; made where missing
+  std::string mode = "robust";        ///< or "paper"
+  int width_px = 160;                 ///< working width; the paper's
+  int candidates = 0;                 ///< disparities searched; 0: 150 at width 160, in scale
+  double focal_px = 0.0;              ///< of the images as they are in the files; 0: unknown
+  double baseline_m = 0.0;            ///< 0: unknown, and no distances are told
+  std::optional<double> centre_u_px;  ///< principal point; the image's middle where not given
+  std::optional<double> centre_v_px;
+  std::optional<double> camera_height_m;  ///< above the floor; unknown: near blobs are obstacles
+  double tilt_deg = 0.0;                  ///< up positive; counts where the height is known
+  double near_px = 0.0;  ///< threshold of near blobs, px at working size; 0: from the image
+};
+
+}  // namespace striate::app

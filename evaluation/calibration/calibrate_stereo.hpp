@@ -1,0 +1,30 @@
+#pragma once
+
+#include "striate/evaluation/calibration/chessboard.hpp"
+#include "striate/platform/pioneer/camera/stereo_calibration.hpp"
+
+namespace striate::evaluation {
+
+/// With fewer the lens and the eyes' turn cannot be told apart (ours)
+inline constexpr std::size_t kFewestPairs = 5;
+
+/// How well one pair agrees with the calibration.
+struct PairError {
+  std::string name;
+  double reprojection_px = 0.0;  ///< root mean square over both cameras
+  double epipolar_px = 0.0;      ///< root mean square height between matching corners, rectified
+};
+
+struct CalibrationReport {
+  pioneer::StereoCalibration calibration;
+  std::vector<PairError> pairs;
+};
+
+/// Lenses and pose of two cameras from looks at a chessboard: each camera alone, then both
+/// together.
+/// @param size_px of the images
+/// @throws UserError with fewer than kFewestPairs pairs, or where right and left are exchanged.
+[[nodiscard]] CalibrationReport calibrate_stereo(const std::vector<BoardPair>& pairs,
+                                                 const Chessboard& board, cv::Size size_px);
+
+}  // namespace striate::evaluation

@@ -1,0 +1,230 @@
+#include "striate/evaluation/patch_layouts.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <opencv2/imgcodecs.hpp>
+#include <sstream>
+
+#include "striate/base/user_error.hpp"
+
+namespace striate::evaluation {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Shown where a folder holds no patches
+constexpr const char* kExpected =
+    "expected one of: folders with img1.png ... and H1to2p ... (Oxford), with 1.ppm ... and "
+    "H_1_2 ... (HPatches), or info.txt, m50_*.txt and mosaics of patches (Brown/Winder)";
+
+/// Two images of one sequence and what takes the first to the second.
+struct ImagePair {
+  fs::path first, second;
+  cv::Matx33d homography;
+};
+
+std::vector<fs::path> sorted_entries(const fs::path& folder) {
+  std::vector<fs::path> entries;
+  for (const auto& entry : fs::directory_iterator(folder)) entries.push_back(entry.path());
+  std::ranges::sort(entries);
+  return entries;
+}
+
+bool is_image(const fs::path& path) {
+  // What OpenCV reads here
+  constexpr const char* kSuffixes[] = {".png", ".ppm", ".pgm", ".bmp", ".jpg", ".jpeg"};
+  return std::ranges::find(kSuffixes, path.extension().string()) != std::end(kSuffixes);
+}
+
+/// The image of that name with any suffix; empty where there is none.
+fs::path image_named(const fs::path& folder, const std::string& stem) {
+  for (const fs::path& entry : sorted_entries(folder)) {
+    if (entry.stem() == stem && is_image(entry)) return entry;
+  }
+  return {};
+}
+
+cv::Mat1b read_grey(const fs::path& path) {
+  cv::Mat1b image = cv::imread(path.string(), cv::IMREAD_GRAYSCALE);
+  if (image.empty()) throw UserError(fmt::format("{}: no readable image", path.string()));
+  return image;
+}
+
+cv::Matx33d read_homography(const fs::path& path) {
+  std::ifstream file(path);
+  cv::Matx33d h;
+  for (double& value : h.val) {
+    if (!(file >> value)) {
+      throw UserError(fmt::format("{}: expected nine numbers, a homography", path.string()));
+    }
+  }
+  return h;
+}
+
+std::vector<ImagePair> image_pairs(const fs::path& folder) {
+  std::vector<ImagePair> pairs;
+  for (int k = 2; k <= 9; ++k) {
+    for (const auto& [matrix, stem] : {std::pair{fmt::format("H1to{}p", k), std::string("img")},
+                                       {fmt::format("H_1_{}", k), ""}}) {
+      const fs::path path = folder / matrix;
+      if (!fs::exists(path)) continue;
+      const fs::path first = image_named(folder, stem + "1");
+      const fs::path second = image_named(folder, fmt::format("{}{}", stem, k));
+      if (first.empty() || second.empty()) {
+        throw UserError(
+            fmt::format("{}: its images {}1 and {}{} are missing", path.string(), stem, stem, k));
+      }
+      pairs.push_back({first, second, read_homography(path)});
+    }
+  }
+  return pairs;
+}
+
+/// What one pair of images offers.
+struct Offer {
+  ImagePair pictures;
+  std::vector<FramePair> frames;
+};
+
+/// How many each may give so that `wanted` come together: all alike, as far as they last.
+std::size_t fair_share(const std::vector<Offer>& offers, std::size_t wanted) {
+  std::size_t low = 0, high = wanted;
+  while (low < high) {
+    const std::size_t share = (low + high) / 2;
+    std::size_t sum = 0;
+    for (const Offer& offer : offers) sum += std::min(share, offer.frames.size());
+    if (sum >= wanted)
+      high = share;
+    else
+      low = share + 1;
+  }
+  return low;
+}
+
+PatchSet from_sequences(const std::vector<ImagePair>& pictures, const PatchChoice& choice) {
+  std::vector<Offer> offers;
+  fs::path seen;
+  std::vector<cv::KeyPoint> first;
+  for (const ImagePair& pair : pictures) {
+    if (pair.first != seen) first = sift_frames(read_grey(pair.first));
+    seen = pair.first;
+    offers.push_back({pair, frame_pairs(first, sift_frames(read_grey(pair.second)), pair.homography,
+                                        choice.tolerance)});
+  }
+  const std::size_t share = fair_share(offers, static_cast<std::size_t>(choice.pairs));
+  PatchSet set;
+  std::size_t left = static_cast<std::size_t>(choice.pairs);
+  std::uint64_t seed = choice.seed;
+  for (const Offer& offer : offers) {
+    const std::size_t most = std::min({share, left, offer.frames.size()});
+    add_pairs(read_grey(offer.pictures.first), read_grey(offer.pictures.second), offer.frames, most,
+              ++seed, set);
+    left -= most;
+  }
+  return set;
+}
+
+[[noreturn]] void wrong_line(const fs::path& path, int line, const char* expected) {
+  throw UserError(fmt::format("{}:{}: expected {}", path.string(), line, expected));
+}
+
+/// How many patches there are: one line each, beginning with the number of its 3-D point.
+int read_info(const fs::path& path) {
+  std::ifstream file(path);
+  int lines = 0;
+  for (std::string line; std::getline(file, line);) {
+    if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
+    ++lines;
+    int point = 0;
+    if (!(std::istringstream(line) >> point)) wrong_line(path, lines, "the number of a 3-D point");
+  }
+  return lines;
+}
+
+/// Lines: patch, its 3-D point, unused, patch, its 3-D point, ... Same point: the same place.
+std::vector<PatchPair> read_matches(const fs::path& path, int count) {
+  std::ifstream file(path);
+  std::vector<PatchPair> pairs;
+  int number = 0;
+  for (std::string line; std::getline(file, line);) {
+    ++number;
+    if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
+    int a = 0, point_a = 0, unused = 0, b = 0, point_b = 0;
+    if (!(std::istringstream(line) >> a >> point_a >> unused >> b >> point_b)) {
+      wrong_line(path, number, "patch, point, unused, patch, point");
+    }
+    if (a < 0 || b < 0 || a >= count || b >= count) {
+      wrong_line(path, number, fmt::format("patches 0 to {}", count - 1).c_str());
+    }
+    pairs.push_back({a, b, point_a == point_b});
+  }
+  return pairs;
+}
+
+/// Of several files of pairs the one that comes nearest to what is wanted.
+fs::path best_matches_file(const fs::path& folder, int pairs) {
+  fs::path best;
+  std::uintmax_t best_size = 0;
+  const std::string exact = fmt::format("m50_{0}_{0}_0.txt", pairs);
+  for (const fs::path& entry : sorted_entries(folder)) {
+    const std::string name = entry.filename().string();
+    if (!name.starts_with("m50_") || entry.extension() != ".txt") continue;
+    if (name == exact) return entry;
+    if (best.empty() || fs::file_size(entry) > best_size)
+      best = entry, best_size = fs::file_size(entry);
+  }
+  return best;
+}
+
+PatchSet from_mosaics(const fs::path& folder, const PatchChoice& choice) {
+  PatchSet set;
+  set.count = read_info(folder / "info.txt");
+  const fs::path matches = best_matches_file(folder, choice.pairs);
+  if (matches.empty())
+    throw UserError(fmt::format("{}: no m50_*.txt; {}", folder.string(), kExpected));
+  int same = 0, different = 0;
+  for (const PatchPair& pair : read_matches(matches, set.count)) {
+    if ((pair.same ? same : different)++ < choice.pairs) set.pairs.push_back(pair);
+  }
+  constexpr int kPatches = kMosaicPatches * kMosaicPatches;  // in one mosaic
+  const auto wanted = static_cast<std::size_t>((set.count + kPatches - 1) / kPatches);
+  for (const fs::path& entry : sorted_entries(folder)) {
+    if (set.mosaics.size() == wanted) break;
+    if (!is_image(entry)) continue;
+    set.mosaics.push_back(read_grey(entry));
+    if (set.mosaics.back().size() != cv::Size(1024, 1024)) {
+      throw UserError(fmt::format("{}: expected 1024x1024 px", entry.string()));
+    }
+  }
+  if (set.mosaics.size() < wanted) {
+    throw UserError(fmt::format("{}: info.txt tells of {} patches, which are {} mosaics; {} found",
+                                folder.string(), set.count, wanted, set.mosaics.size()));
+  }
+  return set;
+}
+
+}  // namespace
+
+PatchSet load_patches(const std::string& folder, const PatchChoice& choice) {
+  if (!fs::is_directory(folder)) {
+    throw UserError(fmt::format("{}: no folder; {}", folder, kExpected));
+  }
+  if (fs::exists(fs::path(folder) / "info.txt")) return from_mosaics(folder, choice);
+  std::vector<ImagePair> pictures = image_pairs(folder);
+  for (const fs::path& entry : sorted_entries(folder)) {
+    if (!fs::is_directory(entry)) continue;
+    const auto more = image_pairs(entry);
+    pictures.insert(pictures.end(), more.begin(), more.end());
+  }
+  if (pictures.empty()) throw UserError(fmt::format("{}: nothing to read; {}", folder, kExpected));
+  PatchSet set = from_sequences(pictures, choice);
+  if (set.pairs.empty()) {
+    throw UserError(fmt::format("{}: no SIFT frame was found again in any image", folder));
+  }
+  return set;
+}
+
+}  // namespace striate::evaluation

@@ -1,0 +1,115 @@
+#include "striate/platform/served/served_pioneer.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace striate::served {
+namespace {
+
+/// The servos' models set the pace; the simulated head keeps up with them.
+constexpr double kHeadFollows_rad_s = 20.0;
+constexpr Duration kLaserPeriod = std::chrono::milliseconds(100);  // both lasers sweep at 10 Hz
+
+/// The controller ramps speeds itself: the motors below it follow as fast as motors do.
+RobotDescription with_motors(RobotDescription robot) {
+  robot.max_forward_m_s = 1.0;
+  robot.max_turn_rad_s = radians(360.0);
+  robot.max_acceleration_m_s2 = 2.5;
+  robot.max_turn_acceleration_rad_s2 = 12.0;
+  robot.cycle = ServedPioneer::kStep;
+  return robot;
+}
+
+simulator::SimulatorSettings for_serving(simulator::SimulatorSettings settings) {
+  settings.base.command_latency_s = 0.0;  // the line has its own
+  settings.sensors.servo_speed_rad_s = kHeadFollows_rad_s;
+  settings.judge = {.ends_at_collision = false, .ends_at_goal = false, .time_limit_s = 0.0};
+  return settings;
+}
+
+double range_from(const Pose2& sensor, const RangeReading& seen) {
+  if (!std::isfinite(seen.distance_m)) return seen.distance_m;
+  return std::hypot(seen.distance_m * std::cos(seen.bearing_rad) - sensor.x_m,
+                    seen.distance_m * std::sin(seen.bearing_rad) - sensor.y_m);
+}
+
+}  // namespace
+
+ServedPioneer::ServedPioneer(const simulator::World& world, std::uint64_t seed,
+                             const simulator::SimulatorSettings& settings,
+                             const pioneer::FirmwareSettings& firmware,
+                             const RobotDescription& robot)
+    : sonar_mounts_(simulator::sonar_mounts(robot)),
+      laser_mount_(simulator::laser_mount(robot)),
+      body_(world, seed, for_serving(settings), nullptr, with_motors(robot)),
+      firmware_(firmware),
+      servos_({pioneer::ServoModel(1, 0.0), pioneer::ServoModel(2, 0.0)}),
+      camera_(seed, settings.sensors, settings.faults),
+      laser_range_m_(settings.sensors.laser_range_m) {}
+
+void ServedPioneer::hand_over_sonar() {
+  if (senses_.sonar.stamp == sonar_stamp_) return;
+  sonar_stamp_ = senses_.sonar.stamp;
+  for (const std::size_t disc : simulator::discs_fired_at(sonar_stamp_)) {
+    firmware_.sonar(disc, range_from(sonar_mounts_[disc], senses_.sonar.readings[disc]));
+  }
+}
+
+void ServedPioneer::hand_over_laser() {
+  if (!firmware_.laser_wanted() || now() < next_laser_) return;
+  next_laser_ = now() + kLaserPeriod;
+  std::vector<std::uint16_t> ranges_mm;
+  ranges_mm.reserve(senses_.laser.readings.size());
+  for (const RangeReading& seen : senses_.laser.readings) {
+    const double range_m = std::min(range_from(laser_mount_, seen), laser_range_m_);
+    ranges_mm.push_back(static_cast<std::uint16_t>(std::lround(1000.0 * range_m)));
+  }
+  firmware_.laser(ranges_mm);
+}
+
+/// The simulated laser's nearest ray; beyond the front half circle it sees nothing.
+double ServedPioneer::laser_range_m(double bearing_rad) const {
+  const auto& readings = senses_.laser.readings;
+  const auto last = static_cast<double>(readings.size()) - 1.0;
+  const double at = (bearing_rad + radians(90.0)) / radians(180.0) * last;
+  if (readings.empty() || at < -0.5 || at > last + 0.5) return 0.0;
+  const auto index = static_cast<std::size_t>(std::lround(std::clamp(at, 0.0, last)));
+  return range_from(laser_mount_, readings[index]);
+}
+
+void ServedPioneer::turn_the_urg() {
+  const pioneer::scip::Parameters& urg = urg_.parameters();
+  if (!urg_.measures(now())) return;
+  urg_ranges_mm_.clear();
+  for (int step = urg.first_step; step <= urg.last_step; ++step) {
+    const double range_mm =
+        1000.0 * laser_range_m(radians(360.0 * (step - urg.front_step) / urg.steps_a_turn));
+    // Nothing within range is told as a range that is too short to be one.
+    urg_ranges_mm_.push_back(range_mm > urg.farthest_mm ? 0
+                                                        : static_cast<int>(std::lround(range_mm)));
+  }
+  urg_.step(now(), urg_ranges_mm_);
+}
+
+void ServedPioneer::step() {
+  servos_.step(kStep);
+  body_.send({.forward_m_s = firmware_.forward_m_s(),
+              .turn_rad_s = firmware_.turn_rad_s(),
+              .pan_rad = servos_.servos[0].angle_rad(),
+              .tilt_rad = servos_.servos[1].angle_rad()});
+  body_.sense(senses_);
+  hand_over_sonar();
+  hand_over_laser();
+  turn_the_urg();
+  pioneer::FirmwareSenses felt;
+  felt.odometry = senses_.odometry;
+  felt.battery_v = senses_.battery_v;
+  felt.stalled = senses_.motors_stalled;
+  // The bumper rings touch on the side that the robot drives to.
+  felt.bumper_front = senses_.bumper && firmware_.forward_m_s() >= 0.0;
+  felt.bumper_rear = senses_.bumper && firmware_.forward_m_s() < 0.0;
+  felt.true_pose = true_pose();
+  firmware_.step(now(), kStep, felt);
+}
+
+}  // namespace striate::served

@@ -1,0 +1,161 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <opencv2/imgproc.hpp>
+
+#include "striate/base/geometry.hpp"
+#include "striate/base/user_error.hpp"
+#include "striate/evaluation/calibration/calibrate_stereo.hpp"
+#include "striate/platform/pioneer/camera/rectifier.hpp"
+#include "tests/reference/board_camera.hpp"
+#include "tests/reference/temporary_folder.hpp"
+
+namespace striate::evaluation {
+namespace {
+
+using reference::BoardCamera;
+
+constexpr Chessboard kBoard{8, 5, 0.04};
+const cv::Size kSize(480, 360);
+
+/// Two lenses that bulge, of slightly different length, slightly turned against each other.
+pioneer::StereoCalibration true_cameras() {
+  pioneer::StereoCalibration truth;
+  truth.size_px = kSize;
+  truth.left.matrix = {610.0, 0.0, 236.0, 0.0, 608.0, 183.0, 0.0, 0.0, 1.0};
+  truth.left.distortion = {-0.18, 0.12, 0.0, 0.0, 0.0};
+  truth.right.matrix = {604.0, 0.0, 245.0, 0.0, 603.0, 176.0, 0.0, 0.0, 1.0};
+  truth.right.distortion = {-0.16, 0.10, 0.0, 0.0, 0.0};
+  cv::Mat turn;
+  cv::Rodrigues(cv::Vec3d(0.012, -0.02, 0.008), turn);
+  truth.rotation = turn;
+  truth.translation_m = {-0.1203, 0.0011, -0.0007};
+  return truth;
+}
+
+struct Images {
+  std::vector<cv::Mat1b> left;
+  std::vector<cv::Mat1b> right;
+};
+
+/// Boards near and far, turned, and in all corners.
+const Images& boards() {
+  static const Images pictures = [] {
+    const pioneer::StereoCalibration truth = true_cameras();
+    const BoardCamera left(truth.left, kSize);
+    const BoardCamera right(truth.right, kSize);
+    Images result;
+    for (int i = 0; i < 14; ++i) {
+      const double z_m = 0.85 + 0.1 * (i % 4);
+      const cv::Vec3d tilt(0.5 * std::sin(1.3 * i), 0.5 * std::cos(1.7 * i),
+                           0.15 * std::sin(2.1 * i));
+      cv::Mat rotated;
+      cv::Rodrigues(tilt, rotated);
+      const cv::Matx33d turn = rotated;
+      const cv::Vec3d middle(0.04 + 0.08 * std::sin(2.0 * i), 0.06 * std::cos(2.6 * i), z_m);
+      const cv::Vec3d way = middle - turn * cv::Vec3d(3.5 * 0.04, 2.0 * 0.04, 0.0);
+      result.left.push_back(left.image(8, 5, 0.04, turn, way));
+      result.right.push_back(right.image(8, 5, 0.04, truth.rotation * turn,
+                                         truth.rotation * way + truth.translation_m));
+    }
+    return result;
+  }();
+  return pictures;
+}
+
+const std::vector<BoardPair>& found() {
+  static const std::vector<BoardPair> pairs = [] {
+    std::vector<BoardPair> result;
+    for (std::size_t i = 0; i < boards().left.size(); ++i) {
+      if (auto pair = find_board(boards().left[i], boards().right[i], kBoard)) {
+        result.push_back(std::move(*pair));
+      }
+    }
+    return result;
+  }();
+  return pairs;
+}
+
+TEST(CalibrateStereo, FindsTheCamerasThatDrewTheBoards) {
+  const auto& pairs = found();
+  ASSERT_GE(pairs.size(), 12u);
+  const CalibrationReport report = calibrate_stereo(pairs, kBoard, kSize);
+  const pioneer::StereoCalibration& calibration = report.calibration;
+  const pioneer::StereoCalibration truth = true_cameras();
+  RecordProperty("reprojection_px", std::to_string(calibration.reprojection_px));
+  RecordProperty("epipolar_px", std::to_string(calibration.epipolar_px));
+  EXPECT_LT(calibration.reprojection_px, 0.1);
+  EXPECT_LT(calibration.epipolar_px, 0.1);
+  EXPECT_NEAR(calibration.left.matrix(0, 0), truth.left.matrix(0, 0), 6.0);
+  EXPECT_NEAR(calibration.right.matrix(1, 1), truth.right.matrix(1, 1), 6.0);
+  EXPECT_NEAR(calibration.left.matrix(0, 2), truth.left.matrix(0, 2), 3.0);
+  EXPECT_NEAR(calibration.left.distortion[0], truth.left.distortion[0], 0.03);
+  EXPECT_NEAR(calibration.translation_m[0], truth.translation_m[0], 0.0006);
+  EXPECT_LT(cv::norm(calibration.rotation - truth.rotation), 0.006);
+  ASSERT_EQ(report.pairs.size(), pairs.size());
+  EXPECT_LT(report.pairs.front().reprojection_px, 0.2);
+}
+
+TEST(CalibrateStereo, ItsFileRectifiesTheImagesItWasMadeFrom) {
+  const reference::TemporaryFolder folder;
+  const std::string file = folder / "stereo.yaml";
+  pioneer::write_calibration(file, calibrate_stereo(found(), kBoard, kSize).calibration);
+  pioneer::Rectifier rectifier(pioneer::read_calibration(file), kSize.width);
+  int compared = 0;
+  for (std::size_t i = 0; i < boards().left.size(); ++i) {
+    cv::Mat3b left;
+    cv::Mat3b right;
+    cv::cvtColor(boards().left[i], left, cv::COLOR_GRAY2BGR);
+    cv::cvtColor(boards().right[i], right, cv::COLOR_GRAY2BGR);
+    StereoFrame frame;
+    rectifier.rectify(left, right, frame);
+    EXPECT_NEAR(frame.baseline_m, 0.1203, 0.0006);
+    cv::Mat1b grey_left;
+    cv::Mat1b grey_right;
+    cv::cvtColor(frame.left, grey_left, cv::COLOR_BGR2GRAY);
+    cv::cvtColor(frame.right, grey_right, cv::COLOR_BGR2GRAY);
+    const auto pair = find_board(grey_left, grey_right, kBoard);
+    if (!pair) continue;  // a part of it lies beyond the border now
+    ++compared;
+    double squared = 0.0;
+    std::vector<cv::Point3d> seen;
+    for (std::size_t k = 0; k < pair->left_px.size(); ++k) {
+      const cv::Point2d l = pair->left_px[k];
+      const cv::Point2d r = pair->right_px[k];
+      squared += (l.y - r.y) * (l.y - r.y);
+      const double z_m = frame.focal_px * frame.baseline_m / (l.x - r.x);
+      seen.emplace_back((l.x - frame.centre_u_px) * z_m / frame.focal_px,
+                        (l.y - frame.centre_v_px) * z_m / frame.focal_px, z_m);
+    }
+    EXPECT_LT(std::sqrt(squared / static_cast<double>(seen.size())), 0.15);
+    EXPECT_NEAR(cv::norm(seen.front() - seen.back()), 0.04 * std::hypot(7.0, 4.0), 0.006)
+        << "the board is as large as it is";
+  }
+  EXPECT_GE(compared, 6);
+}
+
+TEST(CalibrateStereo, TellsWhatIsMissing) {
+  std::vector<BoardPair> pairs = found();
+  std::vector<BoardPair> few(pairs.begin(), pairs.begin() + 3);
+  EXPECT_THROW((void)calibrate_stereo(few, kBoard, kSize), UserError);
+  for (BoardPair& pair : pairs) std::swap(pair.left_px, pair.right_px);
+  try {
+    (void)calibrate_stereo(pairs, kBoard, kSize);
+    ADD_FAILURE() << "exchanged eyes were not noticed";
+  } catch (const UserError& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("--swap"));
+  }
+}
+
+TEST(StereoCalibration, AFileThatIsNoneIsRefused) {
+  const reference::TemporaryFolder folder;
+  const std::string file = folder / "no.yaml";
+  std::ofstream(file) << "%YAML:1.0\n---\nimage_width: 320\n";
+  EXPECT_THROW((void)pioneer::read_calibration(file), UserError);
+  EXPECT_THROW((void)pioneer::read_calibration(folder / "missing.yaml"), UserError);
+}
+
+}  // namespace
+}  // namespace striate::evaluation

@@ -1,0 +1,154 @@
+#include "striate/memory/short_term/occupancy_updater.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/reference/looks.hpp"
+
+namespace striate::memory {
+namespace {
+
+class Evidence : public testing::Test {
+ protected:
+  void look(const perception::Percept& percept, const Pose2& pose = {}) {
+    writer.write(percept, pose, grid);
+  }
+  CellState at(double x_m, double y_m) const { return grid.state(LocalGrid::cell_of({x_m, y_m})); }
+  OccupancyUpdater writer{OccupancySettings{}, 1.20};
+  LocalGrid grid;
+};
+
+TEST_F(Evidence, UnknownIsNeverFree) {
+  for (int i = 0; i < 20; ++i) {
+    perception::Percept percept = looks::blank_percept(100 * i);
+    looks::see_thing(percept, 0.0, 0.1, 3.0);  // seen, but no floor before it
+    look(percept);
+  }
+  for (double x = 0.1; x < 2.6; x += 0.05) EXPECT_NE(at(x, 0.0), CellState::free) << x;
+  EXPECT_EQ(at(4.0, 0.0), CellState::unknown);  // hidden behind it
+  EXPECT_EQ(at(2.0, 0.6), CellState::unknown);  // columns that know nothing
+}
+
+TEST_F(Evidence, FloorIsFreeOnlyWhereItWasSeen) {
+  for (int i = 0; i < 4; ++i) {
+    perception::Percept percept = looks::blank_percept(100 * i);
+    looks::see_floor(percept, 2.2, 4.0);
+    look(percept);
+  }
+  EXPECT_EQ(at(1.9, 0.0), CellState::unknown);  // below the view
+  EXPECT_EQ(at(2.5, 0.0), CellState::free);
+  EXPECT_EQ(at(3.8, 0.5), CellState::free);
+  EXPECT_EQ(at(4.3, 0.0), CellState::unknown);
+  EXPECT_EQ(at(2.5, 1.5), CellState::unknown);  // beside the view
+}
+
+TEST_F(Evidence, FarThingsBlockAfterAFewLooksNearOnesAtOnce) {
+  perception::Percept far = looks::blank_percept(0);
+  looks::see_thing(far, 0.0, 0.1, 2.5);
+  look(far);
+  EXPECT_NE(at(2.5, 0.0), CellState::occupied);
+  look(far);
+  look(far);
+  EXPECT_EQ(at(2.5, 0.0), CellState::occupied);
+
+  perception::Percept near = looks::blank_percept(0, 1.2);
+  looks::see_thing(near, 1.2, 0.1, 0.8);
+  look(near);
+  EXPECT_EQ(at(0.8 * std::cos(1.2), 0.8 * std::sin(1.2)), CellState::occupied);
+}
+
+TEST_F(Evidence, ALoneWrongColumnDoesNotBlock) {
+  for (int i = 0; i < 5; ++i) {
+    perception::Percept percept = looks::blank_percept(100 * i);
+    looks::see_floor(percept, 1.0, 4.0);
+    percept.columns[80].obstacle_m = 2.0;
+    percept.columns[80].obstacle_confidence = 0.9;
+    percept.columns[80].free_to_m = 1.9;
+    look(percept);
+  }
+  for (double x = 1.5; x < 2.5; x += 0.05) EXPECT_NE(at(x, 0.0), CellState::occupied) << x;
+}
+
+TEST_F(Evidence, AThinLegBlocks) {
+  for (int i = 0; i < 12; ++i) {
+    perception::Percept percept = looks::blank_percept(100 * i);
+    looks::see_floor(percept, 1.0, 4.0);
+    looks::see_thing(percept, 0.0, 0.0105, 1.8);  // 4 cm: five columns
+    look(percept);
+  }
+  EXPECT_EQ(at(1.8, 0.001), CellState::occupied);
+}
+
+TEST_F(Evidence, TheErrorOfTheRangeSpreadsEvidenceAlongTheRayOnly) {
+  for (int i = 0; i < 8; ++i) {
+    perception::Percept percept = looks::blank_percept(100 * i);
+    looks::see_thing(percept, 0.0, 0.06, 4.5);
+    look(percept);
+  }
+  // sigma is 0.29 m at 4.5 m.
+  EXPECT_EQ(at(4.35, 0.0), CellState::occupied);
+  EXPECT_EQ(at(4.65, 0.0), CellState::occupied);
+  EXPECT_EQ(at(4.5, 0.45), CellState::unknown);
+}
+
+TEST_F(Evidence, WhatIsGoneIsClearedWithinTwoSeconds) {
+  for (int i = 0; i < 30; ++i) {
+    perception::Percept percept = looks::blank_percept(100 * i);
+    looks::see_floor(percept, 1.0, 4.5);
+    looks::see_thing(percept, 0.0, 0.1, 2.5);
+    look(percept);
+  }
+  ASSERT_EQ(at(2.5, 0.0), CellState::occupied);
+  for (int i = 30; i < 50; ++i) {
+    perception::Percept percept = looks::blank_percept(100 * i);
+    looks::see_floor(percept, 1.0, 4.5);
+    look(percept);
+  }
+  EXPECT_EQ(at(2.5, 0.0), CellState::free);
+}
+
+TEST_F(Evidence, WhatIsSeenThroughIsGoneThoughTheFloorThereIsBelowTheView) {
+  for (const double height_m : {1.6, 0.3}) {
+    for (int i = 0; i < 30; ++i) {
+      perception::Percept percept = looks::blank_percept(100 * i);
+      looks::see_thing(percept, 0.0, 0.2, 0.8);
+      percept.obstacles.push_back({0.0, 0.8, 0.3, height_m, 0.9, 40, 120});
+      look(percept);
+    }
+    ASSERT_EQ(at(0.8, 0.0), CellState::occupied);
+    for (int i = 30; i < 50; ++i) {
+      perception::Percept percept = looks::blank_percept(100 * i);
+      looks::see_floor(percept, 1.4, 4.0);  // at 0.8 m all above 0.51 m is in view
+      look(percept);
+    }
+    // The person has gone; the low box may still be there, and nothing says that floor is free.
+    EXPECT_EQ(at(0.8, 0.0), height_m > 1.0 ? CellState::unknown : CellState::occupied);
+    grid.forget();
+  }
+}
+
+TEST_F(Evidence, WhatComesWhereFloorWasSeenCountsAsMoving) {
+  perception::Percept empty = looks::blank_percept(0);
+  looks::see_floor(empty, 1.0, 4.5);
+  for (int i = 0; i < 6; ++i) look(empty);
+  perception::Percept person = looks::blank_percept(700);
+  looks::see_floor(person, 1.0, 4.5);
+  looks::see_thing(person, 0.0, 0.1, 2.5);
+  look(person);
+  person.stamp = looks::at_ms(800);
+  look(person);
+  EXPECT_EQ(at(2.5, 0.0), CellState::occupied);  // two looks, not the old free evidence first
+  EXPECT_GT(grid.moving(LocalGrid::cell_of({2.5, 0.0})), 0.5F);
+}
+
+TEST_F(Evidence, WhatStoodThereFromTheFirstLookIsStill) {
+  for (int i = 0; i < 10; ++i) {
+    perception::Percept percept = looks::blank_percept(100 * i);
+    looks::see_floor(percept, 1.0, 4.5);
+    looks::see_thing(percept, 0.0, 0.1, 2.5);
+    look(percept);
+  }
+  EXPECT_EQ(grid.moving(LocalGrid::cell_of({2.5, 0.0})), 0.0F);
+}
+
+}  // namespace
+}  // namespace striate::memory
