@@ -5,7 +5,7 @@ option(STRIATE_ROS "Build the ROS 1 component where its packages are found" ON)
 set(STRIATE_ROS_FOUND OFF)
 # roscpp is not built for the thread sanitizer, which would blame it for all it does.
 if(STRIATE_ROS AND NOT STRIATE_SANITIZE MATCHES thread)
-  pkg_check_modules(ROSCPP QUIET IMPORTED_TARGET roscpp)
+  striate_find_pkg_config(ROSCPP DEBIAN libroscpp-dev roscpp QUIET)
   find_library(ROSBAG_STORAGE_LIBRARY rosbag_storage)
   find_library(CONSOLE_BRIDGE_LIBRARY console_bridge)  # rosbag's headers log with it
   set(STRIATE_ROS_FOUND ${ROSCPP_FOUND})

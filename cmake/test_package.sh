@@ -1,0 +1,48 @@
+#!/usr/bin/env bash
+# Installs the Debian package into a bare Debian 12 and drives a short mission there, from a folder that
+# is not the source tree. Run it as root.
+#   cmake/test_package.sh DEB             makes the bare system with debootstrap, in a temporary folder
+#   cmake/test_package.sh DEB ROOT        uses the system in ROOT, and leaves it changed
+# STRIATE_MIRROR: where Debian's packages come from (http://deb.debian.org/debian).
+set -euo pipefail
+[ $# -ge 1 ] && [ $# -le 2 ] || { sed -n '2,6s/^# \?//p' "$0" >&2; exit 2; }
+[ "$(id -u)" -eq 0 ] || { echo "error: chroot needs root" >&2; exit 2; }
+deb=$(realpath "$1")
+mirror=${STRIATE_MIRROR:-http://deb.debian.org/debian}
+
+if [ $# -eq 2 ]; then
+  root=$(realpath "$2")
+else
+  command -v debootstrap >/dev/null || { echo "error: install debootstrap, or name a root folder" >&2; exit 2; }
+  root=$(mktemp -d)
+fi
+unmount() { umount "$root/proc" "$root/dev" 2>/dev/null || true; }
+cleanup() {
+  unmount
+  [ $# -eq 2 ] || rm -rf --one-file-system "$root"
+}
+trap 'cleanup "$@"' EXIT
+[ $# -eq 2 ] || debootstrap --variant=minbase bookworm "$root" "$mirror" >/dev/null
+
+inside() { chroot "$root" /usr/bin/env -i HOME=/root PATH=/usr/sbin:/usr/bin:/sbin:/bin LC_ALL=C.UTF-8 "$@"; }
+cp "$deb" "$root/striate.deb"
+cp /etc/resolv.conf "$root/etc/resolv.conf"
+mount -t proc proc "$root/proc"
+mount --bind /dev "$root/dev"
+
+echo "== installs"
+inside apt-get update -qq
+inside env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends /striate.deb >/dev/null
+inside dpkg -s striate | grep -E '^(Status|Version|Installed-Size)'
+
+share=/usr/share/striate/config
+echo "== runs, from /tmp"
+inside env -C /tmp striate --version
+inside env -C /tmp striate check $share/tasks/corridor.yaml $share/worlds/short.yaml
+inside env -C /tmp striate run $share/tasks/corridor.yaml --world $share/worlds/short.yaml --seed 3 --result /tmp/result.json
+inside test -s /tmp/result.json
+inside test -s /usr/share/bash-completion/completions/striate
+echo "== is removed without a trace"
+inside env DEBIAN_FRONTEND=noninteractive apt-get purge -y -qq striate >/dev/null
+[ -z "$(inside find /usr /etc -name '*striate*')" ] || { echo "error: files are left" >&2; exit 1; }
+echo "the package works on a bare Debian 12"
