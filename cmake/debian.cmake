@@ -7,6 +7,7 @@ set(CPACK_PACKAGE_VENDOR "Striate")
 set(CPACK_PACKAGE_CONTACT "Striate maintainers <maintainers@striate.example>")
 set(CPACK_PACKAGE_DIRECTORY ${PROJECT_BINARY_DIR}/packages)
 set(CPACK_VERBATIM_VARIABLES ON)
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "")  # each package below has its own
 set(CPACK_COMPONENTS_ALL striate striate_dev)
 set(CPACK_COMPONENTS_GROUPING IGNORE)
 set(CPACK_STRIP_FILES ON)
@@ -20,22 +21,32 @@ set(CPACK_DEBIAN_PACKAGE_PRIORITY optional)
 set(CPACK_DEBIAN_STRIATE_PACKAGE_NAME striate)
 set(CPACK_DEBIAN_STRIATE_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_STRIATE_PACKAGE_SHLIBDEPS ON)
-set(CPACK_COMPONENT_STRIATE_DESCRIPTION "Drives robots by a biological model of visual cortex
-Striate lets you test an idea about seeing, remembering or acting in a whole robot that drives by vision:
-change one part, run the same mission again bit for bit, and measure what came of it.
+set(CPACK_DEBIAN_STRIATE_DESCRIPTION "drives robots by a biological model of visual cortex
+Striate lets you test an idea about seeing, remembering or acting in a
+whole robot that drives by vision: change one part, run the same mission
+again bit for bit, and measure what came of it.
 .
-It has a model of visual area V1 for stereo, obstacles, saliency and recognition, short-term and long-term
-memory, task scripts in YAML, drivers for the Pioneer 3-DX, and a simulator that needs no graphics card.")
+It has a model of visual area V1 for stereo, obstacles, saliency and
+recognition, short-term and long-term memory, task scripts in YAML, drivers
+for the Pioneer 3-DX, and a simulator that needs no graphics card.")
 
+list(APPEND STRIATE_DEV_PACKAGES pkg-config)
+if(STRIATE_ROS_FOUND)  # its headers include those of all messages
+  file(STRINGS cmake/packages_ros.txt ros_packages REGEX "^lib.*-dev$")
+  list(APPEND STRIATE_DEV_PACKAGES ${ros_packages})
+endif()
+list(REMOVE_DUPLICATES STRIATE_DEV_PACKAGES)
 string(REPLACE ";" ", " dev_depends "${STRIATE_DEV_PACKAGES}")
 set(CPACK_DEBIAN_STRIATE_DEV_PACKAGE_NAME striate-dev)
 set(CPACK_DEBIAN_STRIATE_DEV_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_STRIATE_DEV_PACKAGE_DEPENDS "${dev_depends}")
 set(CPACK_DEBIAN_STRIATE_DEV_PACKAGE_RECOMMENDS striate)
-set(CPACK_COMPONENT_STRIATE_DEV_DESCRIPTION "Striate's layers as a C++20 library
-Headers and static libraries of Striate, a cognitive robot framework with a biological model of visual
-cortex. find_package(striate COMPONENTS perception memory agent) in CMake gives the targets striate::perception
-and so on, one for each layer.")
+set(CPACK_DEBIAN_STRIATE_DEV_DESCRIPTION "cognitive robot framework (headers and static libraries)
+Headers and static libraries of Striate, a cognitive robot framework in
+C++20 with a biological model of visual cortex.
+.
+In CMake, find_package(striate COMPONENTS perception memory agent) gives the
+targets striate::perception and so on, one for each layer.")
 
 # What Debian wants beside them. Only in the packages, and so not part of a plain `cmake --install`.
 string(TIMESTAMP STRIATE_DATE "%a, %d %b %Y %H:%M:%S +0000" UTC)
@@ -53,7 +64,7 @@ Upstream-Name: Striate
 Upstream-Contact: @CPACK_PACKAGE_CONTACT@
 
 Files: *
-Copyright: Striate's authors
+Copyright: 2026 Striate's authors
 License: Apache-2.0
  On Debian systems, the full text of the Apache License, Version 2.0, is in
  /usr/share/common-licenses/Apache-2.0.

@@ -16,23 +16,23 @@ else
   command -v debootstrap >/dev/null || { echo "error: install debootstrap, or name a root folder" >&2; exit 2; }
   root=$(mktemp -d)
 fi
-unmount() { umount "$root/proc" "$root/dev" 2>/dev/null || true; }
 cleanup() {
-  unmount
+  umount "$root/proc" 2>/dev/null || true
   [ $# -eq 2 ] || rm -rf --one-file-system "$root"
 }
 trap 'cleanup "$@"' EXIT
 [ $# -eq 2 ] || debootstrap --variant=minbase bookworm "$root" "$mirror" >/dev/null
 
+# Nothing of this machine's environment.
 inside() { chroot "$root" /usr/bin/env -i HOME=/root PATH=/usr/sbin:/usr/bin:/sbin:/bin LC_ALL=C.UTF-8 "$@"; }
 cp "$deb" "$root/striate.deb"
 cp /etc/resolv.conf "$root/etc/resolv.conf"
 mount -t proc proc "$root/proc"
-mount --bind /dev "$root/dev"
 
 echo "== installs"
-inside apt-get update -qq
-inside env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends /striate.deb >/dev/null
+apt() { inside env DEBIAN_FRONTEND=noninteractive apt-get -qq -o Dpkg::Use-Pty=0 "$@" >/dev/null; }
+apt update
+apt install -y --no-install-recommends /striate.deb
 inside dpkg -s striate | grep -E '^(Status|Version|Installed-Size)'
 
 share=/usr/share/striate/config
@@ -43,6 +43,6 @@ inside env -C /tmp striate run $share/tasks/corridor.yaml --world $share/worlds/
 inside test -s /tmp/result.json
 inside test -s /usr/share/bash-completion/completions/striate
 echo "== is removed without a trace"
-inside env DEBIAN_FRONTEND=noninteractive apt-get purge -y -qq striate >/dev/null
+apt purge -y striate
 [ -z "$(inside find /usr /etc -name '*striate*')" ] || { echo "error: files are left" >&2; exit 1; }
 echo "the package works on a bare Debian 12"
