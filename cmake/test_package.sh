@@ -10,18 +10,20 @@ set -euo pipefail
 deb=$(realpath "$1")
 mirror=${STRIATE_MIRROR:-http://deb.debian.org/debian}
 
+made=  # the folder that we made and may delete; never one that was given
 if [ $# -eq 2 ]; then
   root=$(realpath "$2")
 else
   command -v debootstrap >/dev/null || { echo "error: install debootstrap, or name a root folder" >&2; exit 2; }
-  root=$(mktemp -d)
+  made=$(mktemp -d)
+  root=$made
 fi
 cleanup() {
   umount "$root/proc" 2>/dev/null || true
-  [ $# -eq 2 ] || rm -rf --one-file-system "$root"
+  [ -z "$made" ] || rm -rf --one-file-system "$made"
 }
-trap 'cleanup "$@"' EXIT
-[ $# -eq 2 ] || debootstrap --variant=minbase bookworm "$root" "$mirror" >/dev/null
+trap cleanup EXIT
+[ -z "$made" ] || debootstrap --variant=minbase bookworm "$root" "$mirror" >/dev/null
 
 # Nothing of this machine's environment.
 inside() { chroot "$root" /usr/bin/env -i HOME=/root PATH=/usr/sbin:/usr/bin:/sbin:/bin LC_ALL=C.UTF-8 "$@"; }
