@@ -21,11 +21,11 @@ namespace {
 constexpr const char* kAbout =
     "Striate: a cognitive robot that sees with a model of the visual cortex.\n\n"
     "Begin here:\n"
-    "  striate run config/tasks/corridor.yaml --world config/worlds/corridor_a.yaml --seed 7\n"
+    "  striate run corridor --world corridor_a --seed 7\n"
     "      drives the simulated Pioneer down a 60 m corridor\n"
-    "  striate sim config/worlds/corridor_a.yaml --picture view.png --at \"12 m, 0.2 m, 5 deg\"\n"
+    "  striate sim corridor_a --picture view.png --at \"12 m, 0.2 m, 5 deg\"\n"
     "      shows what the robot sees at a place of a world\n"
-    "  striate sim config/worlds/corridor_a.yaml --serve\n"
+    "  striate sim corridor_a --serve\n"
     "      offers the simulated Pioneer on TCP to any ARCOS client; 'striate drive' is one\n"
     "  striate perceive --left L.png --right R.png --out DIR\n"
     "      shows what the vision makes of any image pair\n"
@@ -34,7 +34,7 @@ constexpr const char* kAbout =
     "  striate teach book --image cover.png --memory home.db\n"
     "  striate memory home.db list\n"
     "      teaches a landmark from images, and looks into what is remembered\n"
-    "  striate check config/tasks/*.yaml config/worlds/*.yaml\n"
+    "  striate check my_task.yaml my_world.yaml\n"
     "      tells every mistake of task scripts, worlds and settings\n"
     "  striate task actions\n"
     "      lists what a task script can be made of";

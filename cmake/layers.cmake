@@ -6,6 +6,9 @@ foreach(folder agent app base behaviours config evaluation memory perception pla
   file(CREATE_LINK ${PROJECT_SOURCE_DIR}/${folder} ${STRIATE_INCLUDE_DIR}/striate/${folder} SYMBOLIC)
 endforeach()
 
+# The program looks for its configuration beside itself; an installation has it in share/striate.
+file(CREATE_LINK ${PROJECT_SOURCE_DIR}/config ${PROJECT_BINARY_DIR}/config SYMBOLIC)
+
 # striate_layer(<name> <folder> "<layers it may include>") makes the library striate::<name> of all
 # sources below the folder and notes the rule for the include test.
 

@@ -110,19 +110,28 @@ interrupted with Ctrl\-C
 .B COLUMNS
 width of tables; without it that of the terminal
 .TP
+.B XDG_CONFIG_HOME
+the folder in which
+.I striate
+holds your own tasks, worlds and robots; without it
+.I ~/.config
+.TP
 .B ROS_MASTER_URI
 the ROS 1 master of
 .B striate ros
 .SH FILES
 .TP
-.I config/tasks/*.yaml
-task scripts
-.TP
-.I config/worlds/*.yaml
-worlds of the simulator
-.TP
-.I config/robots/*.yaml
-settings of a robot and its mind
+.IR tasks/*.yaml ,
+.IR worlds/*.yaml ,
+.I robots/*.yaml
+task scripts, worlds of the simulator, and settings of a robot and its mind: first of
+.I config
+beside the program or
+.I ../share/striate/config
+of its folder, then of
+.IR ~/.config/striate .
+Each is found there by its name alone:
+.BR "striate config \-\-paths" .
 .TP
 .I home.db
 the long\-term memory, where

@@ -12,6 +12,7 @@
 #include "striate/app/commands/action_list.hpp"
 #include "striate/app/commands/commands.hpp"
 #include "striate/base/user_error.hpp"
+#include "striate/config/configuration_path.hpp"
 #include "striate/platform/simulator/world_reader.hpp"
 #include "striate/tasks/task_reader.hpp"
 
@@ -56,8 +57,9 @@ void check_file(const std::string& file, const Known& known) {
 
 int check_files(const std::vector<std::string>& files, const Known& known) {
   int bad = 0;
-  for (const std::string& file : files) {
+  for (const std::string& given : files) {
     try {
+      const std::string file = config::find_configuration(given, config::FileKind::any);
       check_file(file, known);
       fmt::print("{}: good\n", file);
     } catch (const UserError& error) {

@@ -5,7 +5,9 @@
 #include <string>
 
 #include "striate/agent/robot_settings.hpp"
+#include "striate/app/command_line/found_file.hpp"
 #include "striate/app/commands/commands.hpp"
+#include "striate/app/configuration_report.hpp"
 
 namespace striate::app {
 namespace {
@@ -31,14 +33,31 @@ void add_config_command(CLI::App& app, int& exit_code) {
   struct Options {
     std::string robot;
     bool explain = false;
+    bool paths = false;
   };
   auto options = std::make_shared<Options>();
   CLI::App* command =
-      app.add_subcommand("config", "Prints every setting in force and where its value came from.");
-  command->add_option("--robot", options->robot, "settings file; without it the defaults");
-  command->add_flag("--explain", options->explain, "with the meaning and range of each");
+      app.add_subcommand("config",
+                         "Prints every setting in force and where its value came from, or which "
+                         "configuration files are found where.\n"
+                         "Examples: striate config --robot sharp_eyes --explain\n"
+                         "          striate config --paths");
+  CLI::Option* robot =
+      command->add_option("--robot", options->robot, "settings file; without it the defaults");
+  CLI::Option* explain =
+      command->add_flag("--explain", options->explain, "with the meaning and range of each");
+  command
+      ->add_flag("--paths", options->paths,
+                 "instead: where tasks, worlds and robots are looked for, and what is found")
+      ->excludes(robot)
+      ->excludes(explain);
   command->callback([options, &exit_code] {
-    print_settings(options->robot, options->explain);
+    find_robot(options->robot);
+    if (options->paths) {
+      fmt::print("{}", configuration_report());
+    } else {
+      print_settings(options->robot, options->explain);
+    }
     exit_code = 0;
   });
 }

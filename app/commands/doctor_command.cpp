@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "striate/agent/robot_settings.hpp"
+#include "striate/app/command_line/found_file.hpp"
 #include "striate/app/commands/commands.hpp"
 #include "striate/app/doctor/configuration.hpp"
 #include "striate/app/doctor/devices.hpp"
@@ -15,7 +16,7 @@ namespace {
 struct DoctorOptions {
   std::string robot;
   std::string memory;
-  std::string config = "config";
+  std::string config;  ///< empty: every folder that names are looked for in
 };
 
 const char* word_for(Finding::Grade grade) {
@@ -65,7 +66,8 @@ int doctor(const DoctorOptions& options) {
   show("Machine", look_at_machine(this_machine()));
   show("Devices", look_at_devices({}));
   if (!options.robot.empty()) show("Robot", look_at_robot(options.robot));
-  show("Configuration", look_at_configuration(options.config));
+  show("Configuration",
+       options.config.empty() ? look_at_configurations() : look_at_configuration(options.config));
   if (!options.memory.empty()) show("Memory", {look_at_memory(options.memory)});
   fmt::print("{}\n", wrong ? "Something will not work: see WRONG above." : "All is well.");
   return wrong ? 1 : 0;
@@ -80,12 +82,16 @@ void add_doctor_command(CLI::App& app, int& exit_code) {
       "Looks at the machine, its devices, the configuration and the memory, and says what is "
       "wrong\n"
       "and how to mend it. Exit code 1 if something will not work.\n"
-      "Example: striate doctor --robot config/robots/pioneer.yaml --memory home.db");
+      "Example: striate doctor --robot pioneer --memory home.db");
   command->add_option("--robot", options->robot, "settings; its devices are tried, nothing moves");
   command->add_option("--memory", options->memory, "a long-term memory to check");
-  command->add_option("--config", options->config, "folder with worlds, tasks and robots")
-      ->capture_default_str();
-  command->callback([options, &exit_code] { exit_code = doctor(*options); });
+  command->add_option("--config", options->config,
+                      "folder with worlds, tasks and robots; without it those of "
+                      "'striate config --paths'");
+  command->callback([options, &exit_code] {
+    find_robot(options->robot);
+    exit_code = doctor(*options);
+  });
 }
 
 }  // namespace striate::app

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "striate/agent/robot_settings.hpp"
+#include "striate/app/command_line/found_file.hpp"
 #include "striate/app/commands/commands.hpp"
 #include "striate/app/interrupt.hpp"
 #include "striate/base/user_error.hpp"
@@ -103,7 +104,7 @@ void add_drive_command(CLI::App& app, int& exit_code) {
       "drive",
       "Drives a Pioneer, real or served, and tells what it says.\n"
       "Examples: striate drive tcp://localhost:8101 --forward-m-s 0.3 --way-m 1\n"
-      "          striate drive serial:/dev/ttyUSB0?baud=9600 --robot config/robots/pioneer.yaml");
+      "          striate drive serial:/dev/ttyUSB0?baud=9600 --robot pioneer");
   command
       ->add_option("robot", options->url,
                    "tcp://host:8101, serial:/dev/ttyUSB0?baud=38400 or pty:/dev/pts/3")
@@ -127,6 +128,7 @@ void add_drive_command(CLI::App& app, int& exit_code) {
       throw UserError(
           "striate drive: --forward-m-s and --turn-deg-s do nothing without --for-s or --way-m");
     }
+    find_robot(options->robot);
     exit_code = drive(*options);
   });
 }

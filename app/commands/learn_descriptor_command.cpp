@@ -14,7 +14,9 @@ void add_learn_descriptor_command(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand(
       "learn-descriptor",
       "Learns which V1 responses Striate's 256-bit descriptor compares, from made images,\n"
-      "and writes the table; building the program anew takes it in.");
+      "and writes the table. Building the program anew takes it in:\n"
+      "          striate learn-descriptor --picture-count 60 --out "
+      "perception/descriptor/striate_256.inc");
   command->add_option("--picture-count", options->pictures, "how many images are made")
       ->check(CLI::Range(1, 10000))
       ->capture_default_str();

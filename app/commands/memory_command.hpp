@@ -5,6 +5,7 @@
 #include <string>
 
 #include "striate/agent/robot_settings.hpp"
+#include "striate/config/configuration_path.hpp"
 
 /// The verbs of `striate memory`, a file a group.
 namespace striate::app {
@@ -17,7 +18,9 @@ struct MemoryCommandOptions {
 
   /// @throws UserError with all mistakes of the settings file.
   [[nodiscard]] memory::LongTermSettings settings() const {
-    return agent::load_robot_settings(robot).long_term_memory;
+    return agent::load_robot_settings(
+               config::find_configuration(robot, config::FileKind::robot))
+        .long_term_memory;
   }
 };
 

@@ -7,6 +7,7 @@
 #include "striate/agent/memory_json.hpp"
 #include "striate/agent/pictures/cycle_sheet.hpp"
 #include "striate/agent/replay/replay_mission.hpp"
+#include "striate/app/command_line/found_file.hpp"
 #include "striate/app/commands/commands.hpp"
 #include "striate/app/interrupt.hpp"
 #include "striate/app/perceive_files.hpp"
@@ -156,7 +157,11 @@ void add_replay_command(CLI::App& app, int& exit_code) {
       ->needs(pictures);
   pictures->needs("--picture-every");
   command->add_flag("--json", options->json, "print JSON instead of text");
-  command->callback([options, &exit_code] { exit_code = run(*options); });
+  command->callback([options, &exit_code] {
+    find_robot(options->replay.robot);
+    find_task(options->replay.task);
+    exit_code = run(*options);
+  });
 }
 
 }  // namespace striate::app

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "striate/agent/simulated_body.hpp"
+#include "striate/app/command_line/found_file.hpp"
 #include "striate/app/command_line/whole_number.hpp"
 #include "striate/app/commands/commands.hpp"
 #include "striate/app/commands/run_mission.hpp"
@@ -84,6 +85,12 @@ int replay(const BagOptions& options) {
 
 #endif
 
+void find_files(RosOptions& options) {
+  find_task(options.run.mission.task);
+  find_robot(options.run.mission.robot);
+  find_world(options.world.world);
+}
+
 void add_common(CLI::App& command, RosOptions& options) {
   command.add_option("--robot", options.run.mission.robot,
                      "settings; the section 'ros' names topics and frames");
@@ -103,8 +110,8 @@ void add_serve(CLI::App& ros, const std::shared_ptr<RosOptions>& options, int& e
       "serve",
       "Runs a robot and shows it to ROS: odometry, tf, images, disparity, scan, sonar, joints,\n"
       "diagnostics. cmd_vel goes before the task while it is not older than 500 ms.\n"
-      "Examples: striate ros serve --world config/worlds/corridor_a.yaml\n"
-      "          striate ros serve config/tasks/corridor.yaml --robot config/robots/pioneer.yaml");
+      "Examples: striate ros serve --world corridor_a\n"
+      "          striate ros serve corridor --robot pioneer");
   command->add_option("task", options->run.mission.task,
                       "what the robot does by itself; without it, it stands");
   CLI::Option* world = command->add_option(
@@ -116,7 +123,10 @@ void add_serve(CLI::App& ros, const std::shared_ptr<RosOptions>& options, int& e
       ->needs(world)
       ->capture_default_str();
   add_common(*command, *options);
-  command->callback([options, &exit_code] { exit_code = serve(*options); });
+  command->callback([options, &exit_code] {
+    find_files(*options);
+    exit_code = serve(*options);
+  });
 }
 
 void add_run(CLI::App& ros, const std::shared_ptr<RosOptions>& options, int& exit_code) {
@@ -125,10 +135,13 @@ void add_run(CLI::App& ros, const std::shared_ptr<RosOptions>& options, int& exi
                          "Runs a task on a robot that is only reachable through ROS: stereo "
                          "images and odometry come\n"
                          "as topics, cmd_vel goes out.\n"
-                         "Example: striate ros run config/tasks/corridor.yaml --var \"way=20 m\"");
+                         "Example: striate ros run corridor --var \"way=20 m\"");
   command->add_option("task", options->run.mission.task, "the task script")->required();
   add_common(*command, *options);
-  command->callback([options, &exit_code] { exit_code = run(*options); });
+  command->callback([options, &exit_code] {
+    find_files(*options);
+    exit_code = run(*options);
+  });
 }
 
 void add_replay(CLI::App& ros, int& exit_code) {
@@ -152,6 +165,7 @@ void add_replay(CLI::App& ros, int& exit_code) {
       ->needs(out);
   command->callback([options, &exit_code] {
     make_folder(options->out);
+    find_robot(options->robot);
     exit_code = replay(*options);
   });
 }

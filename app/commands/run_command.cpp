@@ -2,6 +2,7 @@
 #include <string>
 
 #include "striate/agent/simulated_body.hpp"
+#include "striate/app/command_line/found_file.hpp"
 #include "striate/app/command_line/whole_number.hpp"
 #include "striate/app/commands/commands.hpp"
 #include "striate/app/commands/run_mission.hpp"
@@ -27,9 +28,9 @@ void add_run_command(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand(
       "run",
       "Runs a task script with the simulated Pioneer in a world, or with a real one.\n"
-      "Examples: striate run config/tasks/corridor.yaml --world config/worlds/corridor_a.yaml "
+      "Examples: striate run corridor --world corridor_a "
       "--seed 7 --result r.json\n"
-      "          striate run config/tasks/corridor.yaml --robot config/robots/pioneer.yaml "
+      "          striate run corridor --robot pioneer "
       "--var \"way=20 m\"\n"
       "Ctrl-C stops the robot, runs the task's 'finally' and still writes the result.");
   command->add_option("task", options->run.mission.task, "the task script")->required();
@@ -75,8 +76,12 @@ void add_run_command(CLI::App& app, int& exit_code) {
       ->take_all();
   command->add_flag("--quiet", options->run.quiet, "print nothing");
   command->add_flag("--json", options->run.json, "print the result as JSON instead of the summary");
-  command->callback(
-      [options, &exit_code] { exit_code = run_mission(options->run, body_for(*options)); });
+  command->callback([options, &exit_code] {
+    find_task(options->run.mission.task);
+    find_robot(options->run.mission.robot);
+    find_world(options->world.world);
+    exit_code = run_mission(options->run, body_for(*options));
+  });
 }
 
 }  // namespace striate::app

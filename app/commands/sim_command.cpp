@@ -4,6 +4,7 @@
 #include <string>
 
 #include "striate/agent/robot_settings.hpp"
+#include "striate/app/command_line/found_file.hpp"
 #include "striate/app/command_line/whole_number.hpp"
 #include "striate/app/commands/commands.hpp"
 #include "striate/app/commands/serve.hpp"
@@ -73,9 +74,9 @@ void add_sim_command(CLI::App& app, int& exit_code) {
       app.add_subcommand("sim",
                          "Renders what the robot's left eye sees at a place of a world, or serves "
                          "the simulated Pioneer to any ARCOS client.\n"
-                         "Examples: striate sim config/worlds/corridor_a.yaml --picture view.png "
+                         "Examples: striate sim corridor_a --picture view.png "
                          "--at \"12 m, 0.2 m, 5 deg\"\n"
-                         "          striate sim config/worlds/corridor_a.yaml --serve");
+                         "          striate sim corridor_a --serve");
   command->add_option("world", options->world, "the world file")->required();
   CLI::Option* image = command->add_option("--picture", options->image, "PNG to write");
   command
@@ -102,6 +103,8 @@ void add_sim_command(CLI::App& app, int& exit_code) {
   add_serve_options(*command, options->serve);
   command->callback([options, &exit_code] {
     options->serve.check();
+    find_world(options->world);
+    find_robot(options->robot);
     if (options->serve.serves() && !options->image.empty()) {
       throw UserError("striate sim: --picture or --serve, not both");
     }

@@ -3,6 +3,7 @@
 #include <memory>
 #include <string>
 
+#include "striate/app/command_line/found_file.hpp"
 #include "striate/app/commands/action_list.hpp"
 #include "striate/app/commands/commands.hpp"
 #include "striate/base/files.hpp"
@@ -35,7 +36,10 @@ void add_show(CLI::App& command, int& exit_code) {
   show_command->add_option("--svg", options->svg, "write an image instead");
   show_command->add_option("--xml", options->xml,
                            "write the XML of BehaviorTree.CPP 4 instead, for its editors");
-  show_command->callback([options, &exit_code] { exit_code = show(*options); });
+  show_command->callback([options, &exit_code] {
+    find_task(options->file);
+    exit_code = show(*options);
+  });
 }
 
 void add_actions(CLI::App& command, int& exit_code) {
@@ -57,7 +61,7 @@ void add_task_command(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand(
       "task",
       "Draws task scripts, and lists what they can be made of.\n"
-      "Examples: striate task show config/tasks/corridor.yaml --svg corridor.svg\n"
+      "Examples: striate task show corridor --svg corridor.svg\n"
       "          striate task actions back_up");
   command->require_subcommand(1);
   add_show(*command, exit_code);

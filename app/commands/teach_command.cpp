@@ -14,6 +14,7 @@
 #include "striate/agent/teaching/keep_taught.hpp"
 #include "striate/agent/teaching/live_teaching.hpp"
 #include "striate/agent/teaching/recorded_teaching.hpp"
+#include "striate/app/command_line/found_file.hpp"
 #include "striate/app/command_line/whole_number.hpp"
 #include "striate/app/commands/commands.hpp"
 #include "striate/app/interrupt.hpp"
@@ -207,7 +208,7 @@ int run(const TeachOptions& options) {
         "what is to be learned, and from which image?\n"
         "    striate teach NAME --image PICTURE --memory home.db\n"
         "    striate teach NAME --from RECORDING --when \"12 s\" --memory home.db\n"
-        "    striate teach NAME --task config/tasks/teach.yaml --world WORLD --memory home.db");
+        "    striate teach NAME --task teach --world WORLD --memory home.db");
   }
   if (options.images.empty()) return teach_seen(options);
   teach_images(options);
@@ -224,9 +225,8 @@ void add_teach_command(CLI::App& app, int& exit_code) {
       "or by\n"
       "what a recording shows; it is on the disk when this ends.\n"
       "Examples: striate teach book --image cover.png --image back.png --memory home.db\n"
-      "          striate teach red_book --task config/tasks/teach.yaml --robot "
-      "config/robots/sharp_eyes.yaml\n"
-      "            --world config/worlds/objects_teach.yaml --at \"2 m, 0.2 m, 90 deg\"\n"
+      "          striate teach red_book --task teach --robot sharp_eyes\n"
+      "            --world objects_teach --at \"2 m, 0.2 m, 90 deg\"\n"
       "Says so where the thing looks like a known one, or has too little structure.");
   command->add_option("name", options->name, "the name it gets; a known one gets further views")
       ->type_name("NAME");
@@ -266,7 +266,12 @@ void add_teach_command(CLI::App& app, int& exit_code) {
       "takes back the views that were taught last; older ones that made room for them "
       "do not come back");
   command->add_flag("--json", options->json, "print JSON instead of text");
-  command->callback([options, &exit_code] { exit_code = run(*options); });
+  command->callback([options, &exit_code] {
+    find_task(options->task);
+    find_world(options->live.world);
+    find_robot(options->robot);
+    exit_code = run(*options);
+  });
 }
 
 }  // namespace striate::app

@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <memory>
 
+#include "striate/app/command_line/found_file.hpp"
 #include "striate/app/command_line/whole_number.hpp"
 #include "striate/app/commands/commands.hpp"
 #include "striate/app/trial/object_trial.hpp"
@@ -57,6 +58,9 @@ int run_objects(const TrialOptions& given, ObjectTrialOptions options) {
     options.find_world = given.worlds[1];
   }
   if (!given.robot.empty()) options.robot = given.robot;
+  for (std::string* task : {&options.task, &options.look_task}) find_task(*task);
+  for (std::string* world : {&options.teach_world, &options.find_world}) find_world(*world);
+  find_robot(options.robot);
   options.out = given.out;
   options.seed = given.first_seed;
   options.quiet = given.quiet;
@@ -67,7 +71,7 @@ void check_given(const TrialOptions& options) {
   if (!options.worlds.empty() && !options.out.empty()) return;
   throw UserError(
       "a trial needs --worlds and --out\n"
-      "    e.g. striate trial --worlds config/worlds/corridor_a.yaml --runs 20 --out out/trial");
+      "    e.g. striate trial --worlds corridor_a --runs 20 --out out/trial");
 }
 
 }  // namespace
@@ -82,7 +86,7 @@ void add_trial_command(CLI::App& app, int& exit_code) {
       "trial",
       "Runs a mission many times in several worlds and prints the table of successes.\n"
       "A trial that was stopped goes on where it was when the same command is given again.\n"
-      "Example: striate trial --worlds config/worlds/corridor_a.yaml,config/worlds/corridor_b.yaml "
+      "Example: striate trial --worlds corridor_a,corridor_b "
       "--runs 20 --jobs 2 --out out/trial");
   command->add_option("--worlds", options->worlds, "world files, separated by commas")
       ->delimiter(',');
@@ -135,6 +139,9 @@ void add_trial_command(CLI::App& app, int& exit_code) {
     }
     check_given(*options);
     read_shard(*shard, *options);
+    find_task(options->task);
+    for (std::string& world : options->worlds) find_world(world);
+    find_robot(options->robot);
     options->emergency_layer = !*no_emergency;
     exit_code = run_trial(*options);
   });

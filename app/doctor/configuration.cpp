@@ -48,22 +48,42 @@ void look_at_folder(const fs::path& folder, const Kind& kind, Findings& findings
   const std::string about = (folder / kind.folder).string();
   if (files.empty()) {
     findings.push_back({Grade::note, about, "no YAML files are there",
-                        "start in the project's folder, or say --config FOLDER"});
+                        "'striate config --paths' says where others are; or say --config FOLDER"});
   } else if (good > 0) {
     findings.push_back({Grade::good, about, fmt::format("{} files are good", good), {}});
   }
+}
+
+std::vector<Kind> kinds() {
+  return {
+      {"worlds", [](const std::string& file) { (void)simulator::load_world(file); }},
+      {"tasks", [](const std::string& file) { (void)tasks::check_task(file, RobotDescription{}); }},
+      {"robots", [](const std::string& file) { (void)agent::load_robot_settings(file); }},
+  };
 }
 
 }  // namespace
 
 Findings look_at_configuration(const fs::path& folder) {
   Findings findings;
-  const Kind kinds[] = {
-      {"worlds", [](const std::string& file) { (void)simulator::load_world(file); }},
-      {"tasks", [](const std::string& file) { (void)tasks::check_task(file, RobotDescription{}); }},
-      {"robots", [](const std::string& file) { (void)agent::load_robot_settings(file); }},
-  };
-  for (const Kind& kind : kinds) look_at_folder(folder, kind, findings);
+  for (const Kind& kind : kinds()) look_at_folder(folder, kind, findings);
+  return findings;
+}
+
+Findings look_at_configurations(const std::vector<config::ConfigurationFolder>& folders) {
+  Findings findings;
+  for (const config::ConfigurationFolder& folder : folders) {
+    for (const Kind& kind : kinds()) {
+      std::error_code none;
+      if (fs::is_directory(folder.path / kind.folder, none)) {
+        look_at_folder(folder.path, kind, findings);
+      }
+    }
+  }
+  if (findings.empty()) {
+    findings.push_back({Grade::note, "tasks, worlds and robots", "no folder with them is there",
+                        "'striate config --paths' says where they are looked for"});
+  }
   return findings;
 }
 

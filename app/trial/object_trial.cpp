@@ -133,7 +133,7 @@ void seek_all(const ObjectTrialOptions& options, const std::string& memory,
       if (Interrupt::requested()) return;
       const Pose2 base = plan.at(place.along.x_m, place.along.y_m);
       robot.stand_at({base.x_m, base.y_m, base.heading_rad + place.along.heading_rad});
-      tasks::Executive executive(tasks::load_task("config/tasks/look.yaml", robot.description()));
+      tasks::Executive executive(tasks::load_task(options.look_task, robot.description()));
       agent::CognitiveCycle cycle(robot, settings, executive,
                                   {agent::MissionKnowledge{knowledge, {}}});
       seek_from(place, world, cycle, settings.perception.recognition.every, outcomes);

@@ -11,6 +11,7 @@ struct ObjectTrialOptions {
   std::string teach_world = "config/worlds/objects_teach.yaml";
   std::string find_world = "config/worlds/objects_find.yaml";
   std::string task = "config/tasks/teach.yaml";
+  std::string look_task = "config/tasks/look.yaml";  ///< what it does while it seeks
   std::string robot = "config/robots/sharp_eyes.yaml";
   std::vector<std::string> only;  ///< objects that are taught and sought; empty: all
   std::string out;                ///< folder for objects.csv and the memory

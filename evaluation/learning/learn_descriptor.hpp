@@ -8,7 +8,7 @@ namespace striate::evaluation {
 struct LearnOptions {
   int pictures = 80;       ///< made; the table that ships took 60, two minutes
   std::uint64_t seed = 1;  ///< any; the same one gives the same table
-  std::string out = "perception/descriptor/striate_256.inc";
+  std::string out = "striate_256.inc";
 };
 
 /// Makes images and second views of them, takes true and false patch pairs at their SIFT frames,

@@ -16,7 +16,7 @@ using testing::Not;
 TEST(CommandLine, HelpTeachesAndVersionTells) {
   const Ended help = striate({"--help"});
   EXPECT_EQ(help.exit_code, 0);
-  EXPECT_THAT(help.out, AllOf(HasSubstr("striate run config/tasks/corridor.yaml"),
+  EXPECT_THAT(help.out, AllOf(HasSubstr("striate run corridor --world corridor_a"),
                               HasSubstr("perceive"), HasSubstr("Exit codes")));
   const Ended version = striate({"--version"});
   EXPECT_EQ(version.exit_code, 0);
