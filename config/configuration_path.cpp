@@ -37,6 +37,22 @@ void add(const fs::path& path, std::vector<fs::path>& list) {
   if (path.extension() != ".yaml") list.emplace_back(path.string() + ".yaml");
 }
 
+void add_meanings_in(const std::vector<ConfigurationFolder>& folders,
+                     const std::vector<fs::path>& parts, std::vector<fs::path>& list) {
+  for (const ConfigurationFolder& folder : folders) {
+    for (const fs::path& part : parts) add(folder.path / part, list);
+  }
+}
+
+/// "": there is none.
+std::string first_file(const std::vector<fs::path>& paths) {
+  std::error_code code;
+  for (const fs::path& path : paths) {
+    if (fs::is_regular_file(path, code)) return path.string();
+  }
+  return {};
+}
+
 /// Names of the files that could have been meant, without ".yaml".
 std::vector<std::string> known_names(FileKind kind,
                                      const std::vector<ConfigurationFolder>& folders) {
@@ -111,20 +127,23 @@ std::vector<fs::path> meanings_of(const std::string& given, FileKind kind,
   if (parts.empty()) return {given};
   std::vector<fs::path> list;
   add(given, list);
-  for (const ConfigurationFolder& folder : folders) {
-    for (const fs::path& part : parts) add(folder.path / part, list);
-  }
+  add_meanings_in(folders, parts, list);
   return list;
+}
+
+std::string find_in_configuration(const std::string& given, FileKind kind,
+                                  const std::vector<ConfigurationFolder>& folders) {
+  std::vector<fs::path> list;
+  add_meanings_in(folders, parts_of(given, kind), list);
+  return first_file(list);
 }
 
 std::string find_configuration(const std::string& given, FileKind kind,
                                const std::vector<ConfigurationFolder>& folders) {
   const std::vector<fs::path> meanings = meanings_of(given, kind, folders);
   if (meanings.size() == 1) return given;
+  if (const std::string file = first_file(meanings); !file.empty()) return file;
   std::error_code code;
-  for (const fs::path& path : meanings) {
-    if (fs::is_regular_file(path, code)) return path.string();
-  }
   if (fs::exists(given, code)) return given;
   tell_not_found(given, kind, folders);
 }

@@ -38,9 +38,13 @@ struct ConfigurationFolder {
 [[nodiscard]] std::vector<std::filesystem::path> meanings_of(
     const std::string& given, FileKind kind, const std::vector<ConfigurationFolder>& folders);
 
-/// The first of these paths at which there is a file, as given where that is the first; "" stays
-/// "". What cannot be looked for elsewhere is returned as it is: reading it says what is wrong with
-/// it.
+/// The file that such a name means in the folders alone, not in the working directory; "": none.
+[[nodiscard]] std::string find_in_configuration(
+    const std::string& given, FileKind kind,
+    const std::vector<ConfigurationFolder>& folders = configuration_folders());
+
+/// The first of meanings_of() at which there is a file; "" stays "". A path that has no other
+/// meaning is returned as it is: reading it says what is wrong with it.
 /// @throws UserError with every place that was looked at where there is none.
 [[nodiscard]] std::string find_configuration(
     const std::string& given, FileKind kind,

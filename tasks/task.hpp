@@ -16,10 +16,19 @@ enum class TaskGoal {
   line  ///< to cross the goal line of the world; whoever sees it crossed ends the task with success
 };
 
+/// A file that a task was read from.
+struct TaskFile {
+  std::string path;  ///< absolute
+  /// Where the file that uses it looks for it first: the same path, unless it was found in a
+  /// configuration (config/configuration_path.hpp). A copy that stands there is found again.
+  std::string place;
+  bool operator==(const TaskFile& other) const = default;
+};
+
 /// A task script, checked and ready to run once.
 struct Task {
   std::string file;
-  std::vector<std::string> files;  ///< that file and those it uses; absolute paths
+  std::vector<TaskFile> files;  ///< that file and those it uses
   std::string mission;
   TaskGoal goal = TaskGoal::steps;
   std::vector<std::string> landmarks;  ///< what it needs to know: `needs: {landmarks: [book]}`

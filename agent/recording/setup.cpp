@@ -18,12 +18,12 @@ namespace fs = std::filesystem;
 constexpr std::uintmax_t kMostMemory_bytes = 128U << 20U;
 
 /// The innermost folder that all files are in.
-fs::path common_folder(const std::vector<std::string>& files) {
+fs::path common_folder(const std::vector<tasks::TaskFile>& files) {
   if (files.empty()) return {};
-  fs::path common = fs::path(files.front()).parent_path();
-  for (const std::string& file : files) {
+  fs::path common = fs::path(files.front().place).parent_path();
+  for (const tasks::TaskFile& file : files) {
     while (!common.empty() &&
-           fs::path(file).lexically_relative(common).string().starts_with("..")) {
+           fs::path(file.place).lexically_relative(common).string().starts_with("..")) {
       common = common.parent_path();
     }
   }
@@ -47,9 +47,9 @@ replay::RecordedSetup record_setup(const tasks::Task& task, const tasks::GivenVa
   setup.software = software_name();
   setup.task = task.file;
   const fs::path folder = common_folder(task.files);
-  for (const std::string& file : task.files) {
-    setup.task_files.emplace_back(fs::path(file).lexically_relative(folder).string(),
-                                  read_file(file));
+  for (const tasks::TaskFile& file : task.files) {
+    setup.task_files.emplace_back(fs::path(file.place).lexically_relative(folder).string(),
+                                  read_file(file.path));
   }
   setup.variables.assign(given.begin(), given.end());
   setup.robot_file = robot_file;

@@ -7,6 +7,7 @@
 #include "striate/config/node.hpp"
 #include "striate/platform/interface/robot.hpp"
 #include "striate/tasks/reader/branch.hpp"
+#include "striate/tasks/task.hpp"
 #include "striate/tasks/task_reader.hpp"
 
 namespace striate::tasks {
@@ -18,8 +19,8 @@ struct ReadContext {
   const RobotDescription& robot;
   const KnownLandmarks* landmarks = nullptr;
   bool parameters_stay_open = false;  ///< checked alone: a parameter fits every type
-  std::vector<std::string> files;     ///< the one being read last, before it those that use it
-  std::vector<std::string> read;      ///< every file that was read, each once
+  std::vector<TaskFile> files;        ///< the one being read last, before it those that use it
+  std::vector<TaskFile> read;         ///< every file that was read, each once
   int steps_left = 5000;              ///< of all files together
 };
 

@@ -13,7 +13,8 @@ using config::Node;
 
 Task read(Node root, ReadContext& context, const GivenVariables& given, Diagnostics& diagnostics) {
   std::error_code code;
-  context.files.push_back(std::filesystem::weakly_canonical(diagnostics.file(), code).string());
+  const std::string path = std::filesystem::weakly_canonical(diagnostics.file(), code).string();
+  context.files.push_back({path, path});
   context.read = context.files;
   Variables variables;
   for (const auto& [name, text] : given) {

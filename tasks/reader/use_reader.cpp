@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "striate/config/configuration_path.hpp"
 #include "striate/config/map_reader.hpp"
 #include "striate/config/yaml.hpp"
 #include "striate/tasks/fault.hpp"
@@ -30,9 +31,9 @@ class UseReader {
     read_with(branch.outline);
     if (!find_file()) return branch;
     Diagnostics of_file(file_, diagnostics_.letter());
-    context_.files.push_back(identity_);
-    if (std::find(context_.read.begin(), context_.read.end(), identity_) == context_.read.end()) {
-      context_.read.push_back(identity_);
+    context_.files.push_back(used_);
+    if (std::find(context_.read.begin(), context_.read.end(), used_) == context_.read.end()) {
+      context_.read.push_back(used_);
     }
     Script script = ScriptReader(context_, given_, of_file).read(load_yaml(of_file));
     context_.files.pop_back();
@@ -66,7 +67,7 @@ class UseReader {
     }
   }
 
-  /// The file is looked for beside the one that uses it.
+  /// The file is looked for beside the one that uses it, then as a task of a configuration.
   bool find_file() {
     const Node& name = use_.value;
     if (name.kind != Node::Kind::scalar || name.text.empty() || name.open) {
@@ -74,27 +75,33 @@ class UseReader {
                        "write '- use: return.yaml'");
       return false;
     }
-    const fs::path path = fs::path(diagnostics_.file()).parent_path() / name.text;
+    const fs::path beside = fs::path(diagnostics_.file()).parent_path() / name.text;
     std::error_code code;
-    if (!fs::is_regular_file(path, code)) {
+    const fs::path path =
+        fs::is_regular_file(beside, code)
+            ? beside
+            : fs::path(config::find_in_configuration(name.text, config::FileKind::task));
+    if (path.empty()) {
       diagnostics_.add(fault::unknown_file, name.place,
-                       fmt::format("there is no task file '{}'", name.text), near_name(path));
+                       fmt::format("there is no task file '{}'", name.text), near_name(beside));
       return false;
     }
     file_ = path.lexically_normal().string();
-    identity_ = fs::canonical(path, code).string();
+    used_.path = fs::canonical(path, code).string();
+    const fs::path users_folder = fs::path(context_.files.back().place).parent_path();
+    used_.place = (users_folder / name.text).lexically_normal().string();
     return !uses_itself() && !too_deep();
   }
 
   bool uses_itself() {
     const auto& files = context_.files;
-    const auto found = std::find(files.begin(), files.end(), identity_);
+    const auto found = std::ranges::find(files, used_.path, &TaskFile::path);
     if (found == files.end()) return false;
     std::string chain;
     for (auto file = found; file != files.end(); ++file) {
-      chain += fs::path(*file).filename().string() + " uses ";
+      chain += fs::path(file->path).filename().string() + " uses ";
     }
-    chain += fs::path(identity_).filename().string();
+    chain += fs::path(used_.path).filename().string();
     diagnostics_.add(fault::uses_itself, use_.value.place,
                      fmt::format("a task must not use itself: {}", chain),
                      "write 'repeat' for what is to be done again");
@@ -161,7 +168,7 @@ class UseReader {
   Diagnostics& diagnostics_;
   Variables given_;
   std::string file_;
-  std::string identity_;
+  TaskFile used_;
 };
 
 }  // namespace

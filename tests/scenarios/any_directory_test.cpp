@@ -122,5 +122,19 @@ TEST_F(AnyDirectory, AnInstalledProgramFindsWhatWasInstalledWithIt) {
   EXPECT_EQ(paths.out.find(STRIATE_SOURCE_DIR "/config"), std::string::npos) << paths.out;
 }
 
+TEST_F(AnyDirectory, ATaskUsesAShippedOneAndItsRecordingReplaysWithoutIt) {
+  write("here/mine.yaml", "striate: 1\nmission: mine\ndo:\n  - use: look.yaml\n    within: 11 s\n");
+  const std::string program = installed();
+  const Ended run = in_it("run mine.yaml --world short --quiet --record run.rec", program);
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  fs::remove_all(where_ / "x/share");
+  const Ended gone = in_it("task show mine.yaml", program);
+  EXPECT_EQ(gone.exit_code, 2);
+  EXPECT_THAT(gone.err,
+              HasSubstr("mine.yaml:4:10: error[T030]: there is no task file 'look.yaml'"));
+  const Ended replay = in_it("replay run.rec", program);
+  EXPECT_EQ(replay.exit_code, 0) << replay.out << replay.err;
+}
+
 }  // namespace
 }  // namespace striate::scenarios

@@ -4,6 +4,7 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "striate/base/user_error.hpp"
+#include "striate/config/configuration_path.hpp"
 #include "striate/config/quantity.hpp"
 #include "striate/platform/simulator/render/paint.hpp"
 
@@ -29,7 +30,8 @@ std::string Materials::file_of(const std::string& name) const {
   std::error_code ignored;
   if (fs::is_regular_file(name, ignored)) return name;
   const fs::path beside = fs::path(world_file_).parent_path() / name;
-  return fs::is_regular_file(beside, ignored) ? beside.string() : std::string();
+  if (fs::is_regular_file(beside, ignored)) return beside.string();
+  return config::find_in_configuration(name, config::FileKind::world);
 }
 
 int Materials::find(const std::string& name, const std::string& for_what) {

@@ -21,7 +21,8 @@ struct Material {
 /// The materials that one world uses, made when first asked for.
 class Materials {
  public:
-  /// `world_file`: image files are looked for as named, then beside this file.
+  /// `world_file`: image files are looked for as named, then beside this file, then among the
+  /// worlds of a configuration (config/configuration_path.hpp).
   explicit Materials(std::string world_file) : world_file_(std::move(world_file)) {}
 
   /// The number of a shipped surface or picture, or of an image file. Throws UserError for a name
