@@ -14,8 +14,8 @@
 
 namespace {
 
-// 3 m before the robot, which starts at 1 m, a box; its near side is 0.2 m nearer. To the left of
-// it, and 2 m farther, a pillar of boxes along the wall.
+// 3 m before the robot, which starts at 1 m, the middle of a box; its near side is 0.2 m nearer. 2
+// m farther, to the left, a pillar.
 constexpr const char* kWorld = R"(striate_world: 1
 name: a box in the way
 corridor: {length: 20 m, width: 2.4 m, height: 2.7 m}

@@ -13,10 +13,9 @@
 
 namespace {
 
-constexpr double kTurn_deg = 30.0;  // of the second image against the first
-constexpr double kScale = 0.8;      // likewise
-constexpr double kRatio = 0.7;      // the nearest must be that much nearer than the second
-constexpr double kRight_px = 5.0;   // a match counts as right when it is so near the truth
+constexpr double kTurn_deg = 30.0, kScale = 0.8;  // of the second image against the first
+constexpr double kRatio = 0.7;     // the nearest must be that much nearer than the second
+constexpr double kRight_px = 5.0;  // a match counts as right when it is so near the truth
 
 /// Something to look at: overlapping rectangles, circles and letters, the same ones every time.
 cv::Mat1b paint() {
@@ -28,7 +27,7 @@ cv::Mat1b paint() {
     const cv::Scalar grey(random.uniform(0, 256));
     if (i % 3 == 0) cv::rectangle(image, {at, size}, grey, cv::FILLED, cv::LINE_AA);
     if (i % 3 == 1) cv::circle(image, at, size.width / 2, grey, cv::FILLED, cv::LINE_AA);
-    const std::string letter(1, static_cast<char>('A' + i % 26));
+    const char letter[] = {static_cast<char>('A' + i % 26), '\0'};
     if (i % 3 == 2) cv::putText(image, letter, at, cv::FONT_HERSHEY_DUPLEX, 3.0, grey, 8);
   }
   return image;
@@ -52,10 +51,9 @@ int main(int count, char** words) try {
   std::vector<perception::Descriptor> queries;
   for (const perception::Keypoint& point : seen) queries.push_back(point.descriptor);
 
-  cv::Mat1b both;
-  cv::hconcat(first, second, both);
-  cv::Mat3b picture;
-  cv::cvtColor(both, picture, cv::COLOR_GRAY2BGR);
+  cv::Mat picture;
+  cv::hconcat(first, second, picture);
+  cv::cvtColor(picture, picture, cv::COLOR_GRAY2BGR);
   int matches = 0, right = 0;
   perception::HammingSearch search;
   const auto nearest = search.nearest_two(queries, store);
@@ -73,9 +71,7 @@ int main(int count, char** words) try {
   }
   std::printf("%zu and %zu keypoints: ", known.size(), seen.size());
   std::printf("%d matches, %d of them right\n", matches, right);
-  const std::string file = folder + "/matches.png";
-  if (!cv::imwrite(file, picture)) return 1;
-  std::printf("%s: right ones green, wrong ones red\n", file.c_str());
+  if (!cv::imwrite(folder + "/matches.png", picture)) return 1;
   return matches >= 50 && right >= matches * 9 / 10 ? 0 : 1;
 } catch (const std::exception& error) {
   std::fprintf(stderr, "%s\n", error.what());

@@ -10,12 +10,12 @@
 #include "striate/agent/landmark_knowledge.hpp"
 #include "striate/agent/teaching/image_view.hpp"
 #include "striate/agent/teaching/keep_taught.hpp"
+#include "striate/base/geometry.hpp"
 #include "striate/perception/recognition/recogniser.hpp"
 
 namespace {
-
-constexpr double kTurn_deg = 25.0;     // of the thing in the scene against how it was taught
-constexpr double kScale = 0.7;         // likewise
+constexpr double kTurn_deg = 25.0,
+                 kScale = 0.7;         // of the thing in the scene against the taught one
 const cv::Point2f kTrue{400, 220};     // its middle in the scene, px
 constexpr double kTolerance_px = 5.0;  // of the middle that is found
 
@@ -36,8 +36,7 @@ cv::Mat3b paint(cv::Size size, std::uint64_t seed, int shapes) {
 /// The cover in another place of another image: smaller and turned.
 cv::Mat3b scene_with(const cv::Mat3b& cover) {
   cv::Mat3b scene = paint({640, 480}, 99, 60);
-  const cv::Point2f middle(0.5F * static_cast<float>(cover.cols),
-                           0.5F * static_cast<float>(cover.rows));
+  const cv::Point2f middle = cv::Point2f(cover.size()) * 0.5F;
   cv::Matx23d there = cv::getRotationMatrix2D(middle, kTurn_deg, kScale);
   there(0, 2) += kTrue.x - middle.x;
   there(1, 2) += kTrue.y - middle.y;
@@ -53,9 +52,8 @@ int main(int count, char** words) try {
   for (const char* part : {"", "-wal", "-shm"}) std::filesystem::remove(memory + part);
   const striate::memory::LongTermSettings settings;
   const cv::Mat3b cover = paint({300, 400}, 5, 80);
-  (void)striate::agent::keep_taught(memory, "book",
-                                    {striate::agent::view_of_image(cover, settings)}, settings);
-
+  const auto view = striate::agent::view_of_image(cover, settings);
+  (void)striate::agent::keep_taught(memory, "book", {view}, settings);
   // From here on only the file knows the book: another program could go on.
   const auto knowledge = striate::agent::read_landmark_knowledge(memory);
   striate::perception::Recogniser recogniser{striate::perception::RecognitionSettings{}};
@@ -67,17 +65,14 @@ int main(int count, char** words) try {
   cv::cvtColor(scene, grey, cv::COLOR_BGR2GRAY);
   bool found = false;
   for (const auto& one : recogniser.recognise(striate::agent::keypoints_to_learn(grey))) {
-    const std::string& name =
-        knowledge.landmarks[static_cast<std::size_t>(one.landmark)].record.name;
-    std::printf("%s at (%.0f, %.0f) px, %.2f of its size, turned by %.0f deg, %d keypoints agree\n",
-                name.c_str(), one.u_px, one.v_px, one.scale, one.angle_rad * 180 / CV_PI,
+    const auto& known = knowledge.landmarks[static_cast<std::size_t>(one.landmark)].record;
+    std::printf("%s at (%.0f, %.0f) px, %.2f of its size, turned by %.0f deg: %d keypoints agree\n",
+                known.name.c_str(), one.u_px, one.v_px, one.scale, striate::degrees(one.angle_rad),
                 one.inliers);
     cv::circle(scene, cv::Point2d(one.u_px, one.v_px), cvRound(one.width_px / 2), {60, 60, 230}, 3);
     found = found || std::hypot(one.u_px - kTrue.x, one.v_px - kTrue.y) < kTolerance_px;
   }
   if (!cv::imwrite(folder + "/found.png", scene)) return 1;
-  std::printf("%s keeps it; %s/found.png shows where it was found\n", memory.c_str(),
-              folder.c_str());
   return found ? 0 : 1;
 } catch (const std::exception& error) {
   std::fprintf(stderr, "%s\n", error.what());
