@@ -18,8 +18,7 @@ struct MemoryCommandOptions {
 
   /// @throws UserError with all mistakes of the settings file.
   [[nodiscard]] memory::LongTermSettings settings() const {
-    return agent::load_robot_settings(
-               config::find_configuration(robot, config::FileKind::robot))
+    return agent::load_robot_settings(config::find_configuration(robot, config::FileKind::robot))
         .long_term_memory;
   }
 };

@@ -58,11 +58,10 @@ void add_actions(CLI::App& command, int& exit_code) {
 }  // namespace
 
 void add_task_command(CLI::App& app, int& exit_code) {
-  CLI::App* command = app.add_subcommand(
-      "task",
-      "Draws task scripts, and lists what they can be made of.\n"
-      "Examples: striate task show corridor --svg corridor.svg\n"
-      "          striate task actions back_up");
+  CLI::App* command = app.add_subcommand("task",
+                                         "Draws task scripts, and lists what they can be made of.\n"
+                                         "Examples: striate task show corridor --svg corridor.svg\n"
+                                         "          striate task actions back_up");
   command->require_subcommand(1);
   add_show(*command, exit_code);
   add_actions(*command, exit_code);

@@ -79,6 +79,7 @@ Variables ScriptReader::variables_of(const Node& root) {
   if (const Node::Entry* entry = root.find("vars")) {
     variables = read_variables(entry->value, diagnostics_);
   }
+  for (const auto& [name, variable] : variables) script_.task.variables.push_back(name);
   needed_parameters(root, variables);
   for (auto& [name, variable] : variables) {
     script_.parameters.push_back(name);
