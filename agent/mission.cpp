@@ -38,7 +38,7 @@ tasks::Task task_for(const MissionOptions& options, const tasks::GivenVariables&
 MissionParts prepare(const MissionOptions& options, const BodySource& body) {
   MissionParts parts;
   parts.robot_file = options.robot;
-  parts.settings = load_robot_settings(options.robot, &parts.notices);
+  parts.settings = load_robot_settings(options.robot, &parts.notices, options.plugin_lines);
   if (!options.emergency_layer) parts.settings.safety.emergency_layer = false;
   parts.given = options.given;
   parts.given.insert(body.given.begin(), body.given.end());

@@ -24,6 +24,7 @@ struct MissionOptions {
   /// What the long-term memory knows; none: there is no memory.
   std::optional<MissionKnowledge> knowledge;
   bool emergency_layer = true;
+  PluginLines plugin_lines = PluginLines::load;  ///< of the settings file
 };
 
 /// What a mission is made of.

@@ -2,14 +2,18 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <utility>
+
 #include "striate/config/yaml.hpp"
 
 namespace striate::agent {
 namespace {
 
-RobotSettings read(const config::Node& root, config::Diagnostics& diagnostics) {
+RobotSettings read(config::Node root, config::Diagnostics& diagnostics, PluginLines lines) {
   RobotSettings settings;
   if (!diagnostics.none()) return settings;
+  (void)take_plugins(root, diagnostics, lines);
   config::SettingsReader reader(root, "the robot settings", diagnostics);
   visit(reader, settings);
   reader.finish();
@@ -32,13 +36,28 @@ int line_of(const config::Node& root, const std::string& dotted_key) {
   return line;
 }
 
+/// The body that is named, with its settings; nothing where none is.
+std::vector<config::SettingLine> body_lines(config::Node root, const std::string& file) {
+  config::Diagnostics unheard(file);  // told before
+  const NamedBody body = take_plugins(root, unheard, PluginLines::load);
+  if (body.name.empty()) return {};
+  std::vector<config::SettingLine> lines{
+      {"body", body.name, "pioneer, or one of a plugin", "who is driven"}};
+  for (config::SettingLine& line : settings_of(body)) {
+    line.key = fmt::format("body.{}.{}", body.name, line.key);
+    lines.push_back(std::move(line));
+  }
+  return lines;
+}
+
 }  // namespace
 
-RobotSettings load_robot_settings(const std::string& file, std::string* warnings) {
+RobotSettings load_robot_settings(const std::string& file, std::string* warnings,
+                                  PluginLines lines) {
   if (file.empty()) return {};
   config::Diagnostics diagnostics(file);
   const config::Node root = load_yaml(diagnostics);
-  RobotSettings settings = read(root, diagnostics);
+  RobotSettings settings = read(root, diagnostics, lines);
   diagnostics.throw_if_any();
   if (warnings != nullptr) *warnings = diagnostics.warnings();
   return settings;
@@ -62,8 +81,10 @@ std::vector<SettingInForce> settings_in_force(const std::string& file) {
   }
   config::SettingsPrinter printer;
   visit(printer, settings);
+  std::vector<config::SettingLine> lines = body_lines(root, file);
+  lines.insert(lines.end(), printer.lines().begin(), printer.lines().end());
   std::vector<SettingInForce> list;
-  for (const config::SettingLine& line : printer.lines()) {
+  for (const config::SettingLine& line : lines) {
     const int number = line_of(root, line.key);
     list.push_back({line, number == 0 ? "default" : fmt::format("{}:{}", file, number)});
   }

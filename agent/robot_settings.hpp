@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "striate/agent/body_settings.hpp"
+#include "striate/agent/plugins/robot_plugins.hpp"
 #include "striate/behaviours/control/safety_limiter.hpp"
 #include "striate/config/settings.hpp"
 #include "striate/memory/long_term/long_term_settings.hpp"
@@ -42,10 +43,12 @@ void visit(V& v, RobotSettings& s) {
   v.section("ros", s.ros);
 }
 
-/// The defaults, changed by what the file says; "" is the defaults alone.
+/// The defaults, changed by what the file says; "" is the defaults alone. Loads the plugins that it
+/// names (agent/plugins/robot_plugins.hpp).
 /// @param warnings takes what is no mistake but should be changed, if not null.
 /// @throws UserError with all mistakes of the file.
-RobotSettings load_robot_settings(const std::string& file, std::string* warnings = nullptr);
+RobotSettings load_robot_settings(const std::string& file, std::string* warnings = nullptr,
+                                  PluginLines lines = PluginLines::load);
 
 /// The simulated robot with its camera, as the settings make it. A real one knows its own camera.
 [[nodiscard]] RobotDescription simulated_robot(const RobotSettings& settings);

@@ -18,9 +18,10 @@
 #include "striate/behaviours/wait.hpp"
 
 namespace striate::behaviours {
+namespace {
 
-const std::vector<BehaviourEntry>& behaviour_registry() {
-  static const std::vector<BehaviourEntry> entries{
+std::vector<BehaviourEntry> our_behaviours() {
+  return {
       behaviour_entry<ApproachLandmark>("approach_landmark",
                                         "drives up to a recognised landmark and faces it"),
       behaviour_entry<Avoid>("avoid", "goes round what stands ahead, or lets it pass"),
@@ -43,14 +44,25 @@ const std::vector<BehaviourEntry>& behaviour_registry() {
       behaviour_entry<TurnTo>("turn_to", "turns on the spot"),
       behaviour_entry<Wait>("wait", "stands for a while"),
   };
-  return entries;
+}
+
+BehaviourRegistry& table() {
+  static BehaviourRegistry all(our_behaviours());
+  return all;
+}
+
+}  // namespace
+
+const BehaviourRegistry& behaviour_registry() {
+  return table();
+}
+
+bool enroll(BehaviourEntry entry) {
+  return table().add(std::move(entry));
 }
 
 const BehaviourEntry* find_behaviour(const std::string& name) {
-  for (const BehaviourEntry& entry : behaviour_registry()) {
-    if (entry.name == name) return &entry;
-  }
-  return nullptr;
+  return table().find(name);
 }
 
 config::Node detail::with_main(const config::Node& arguments, const std::string& main) {

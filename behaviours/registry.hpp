@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "striate/base/named_table.hpp"
 #include "striate/behaviours/control/behaviour.hpp"
 #include "striate/config/settings.hpp"
 #include "striate/platform/interface/robot.hpp"
@@ -27,8 +28,14 @@ struct BehaviourEntry {
   std::vector<std::string> required;  ///< parameters without which it makes no sense
 };
 
-/// All behaviours, by name.
-[[nodiscard]] const std::vector<BehaviourEntry>& behaviour_registry();
+using BehaviourRegistry = NamedTable<BehaviourEntry>;
+
+/// All behaviours: ours, and after them those of plugins. One table of the whole process.
+[[nodiscard]] const BehaviourRegistry& behaviour_registry();
+
+/// Takes in one more, before the first task script is read; for plugins alone
+/// (agent/plugins/load_plugin.hpp). @return false where the name is taken
+bool enroll(BehaviourEntry entry);
 
 /// The entry of that name, or nullptr.
 [[nodiscard]] const BehaviourEntry* find_behaviour(const std::string& name);

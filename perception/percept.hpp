@@ -6,6 +6,7 @@
 #include <opencv2/core/mat.hpp>
 #include <vector>
 
+#include "striate/base/fixed_text.hpp"
 #include "striate/base/geometry.hpp"
 #include "striate/base/time.hpp"
 
@@ -140,6 +141,12 @@ struct ExpectedLook {
   LookResult result = LookResult::out_of_view;
 };
 
+/// What a stage of a plugin found out (stage.hpp).
+struct Figure {
+  FixedText<63> name;  ///< "STAGE.FIGURE"
+  double value = std::numeric_limits<double>::quiet_NaN();  ///< not known
+};
+
 /// All that memory wants to know about one image pair.
 struct Percept {
   TimePoint stamp;           ///< of the image
@@ -155,6 +162,7 @@ struct Percept {
   std::vector<Keypoint> keypoints;
   std::vector<Recognition> recognitions;  ///< most inliers first
   std::vector<ExpectedLook> expected;     ///< of each landmark that memory expected somewhere
+  std::vector<Figure> figures;            ///< of the stages of plugins, in their order
 };
 
 }  // namespace striate::perception

@@ -44,7 +44,8 @@ Perception::Perception(const PerceptionSettings& settings, const RobotDescriptio
       saliency_finder_(settings.saliency),
       motion_finder_(settings.motion, robot),
       other_disparities_(extras.disparities),
-      landmark_finder_(settings.recognition, extras.views, extras.clock) {}
+      landmark_finder_(settings.recognition, extras.views, extras.clock),
+      stages_(extras.stages, robot) {}
 
 void Perception::match(const StereoFrame& frame, const Greys& greys, DisparityMap& disparity) {
   const int width = settings_.stereo.width;
@@ -106,6 +107,7 @@ Percept Perception::see(const StereoFrame& frame, const std::optional<Pose2>& ba
       grey, ViewGeometry(percept.disparity, frame.head, robot_), percept, expected);
   percept.recognitions = std::move(look.recognitions);
   percept.expected = std::move(look.expected);
+  stages_.see(frame, percept);
   ++pictures_;
   return percept;
 }

@@ -11,6 +11,7 @@
 #include "striate/perception/percept.hpp"
 #include "striate/perception/recognition/landmark_finder.hpp"
 #include "striate/perception/saliency/saliency.hpp"
+#include "striate/perception/stage_runner.hpp"
 #include "striate/perception/stereo/disparity_source.hpp"
 #include "striate/perception/stereo/stereo_matcher.hpp"
 #include "striate/platform/interface/robot.hpp"
@@ -57,6 +58,8 @@ struct PerceptionExtras {
   const Clock* clock = nullptr;
   /// A baseline's disparities instead of Striate's own stereo.
   DisparitySource* disparities = nullptr;
+  /// The stages of plugins, which run after our own.
+  const StageRegistry* stages = nullptr;
 };
 
 /// All of seeing: one image pair in, one percept out. Holds no memory of earlier images but
@@ -96,6 +99,7 @@ class Perception {
   MotionFinder motion_finder_;
   DisparitySource* other_disparities_;  ///< nullptr: Striate's own
   LandmarkFinder landmark_finder_;
+  StageRunner stages_;
   std::int64_t pictures_ = 0;
 };
 

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "striate/base/limits.hpp"
 #include "striate/tasks/fault.hpp"
@@ -168,16 +170,31 @@ std::vector<ConditionEntry> figure_conditions() {
   };
 }
 
-}  // namespace
-
-const std::vector<ConditionEntry>& condition_registry() {
-  static const std::vector<ConditionEntry> registry = [] {
+ConditionRegistry& table() {
+  static ConditionRegistry registry = [] {
     std::vector<ConditionEntry> all = figure_conditions();
     const std::vector<ConditionEntry>& landmarks = landmark_conditions();
     all.insert(all.end(), landmarks.begin(), landmarks.end());
-    return all;
+    return ConditionRegistry(std::move(all));
   }();
   return registry;
+}
+
+/// Read for one more version, as `image_older_than`.
+constexpr const char* kOldName = "picture_older_than";
+
+}  // namespace
+
+const ConditionRegistry& condition_registry() {
+  return table();
+}
+
+bool enroll(ConditionEntry entry) {
+  return find_condition(entry.name) == nullptr && table().add(std::move(entry));
+}
+
+const ConditionEntry* find_condition(const std::string& name) {
+  return table().find(name == kOldName ? "image_older_than" : name);
 }
 
 std::string condition_text(const config::Node& node) {
@@ -200,20 +217,15 @@ std::unique_ptr<Condition> read_condition(const config::Node& node,
     return nullptr;
   }
   const config::Node::Entry& entry = node.entries.front();
-  const auto& registry = condition_registry();
-  // Its old name, read for one more version.
-  const bool old_name = entry.key == "picture_older_than";
-  const std::string name = old_name ? "image_older_than" : entry.key;
-  if (old_name) {
+  if (entry.key == kOldName) {
     diagnostics.warn(entry.key_place, "'picture_older_than' is called 'image_older_than' now",
                      "write 'image_older_than'");
   }
-  const auto found = std::find_if(registry.begin(), registry.end(),
-                                  [&](const ConditionEntry& e) { return e.name == name; });
-  if (found == registry.end()) {
+  const ConditionEntry* found = find_condition(entry.key);
+  if (found == nullptr) {
     std::vector<std::string> names;
-    names.reserve(registry.size());
-    for (const ConditionEntry& known : registry) names.push_back(known.name);
+    names.reserve(table().size());
+    for (const ConditionEntry& known : table()) names.push_back(known.name);
     std::string hint = config::suggest(entry.key, names);
     if (hint.empty()) hint = "'striate task actions' lists what there is";
     diagnostics.add(fault::unknown_condition, entry.key_place,

@@ -2,16 +2,26 @@
 
 #include <memory>
 #include <string>
-#include <vector>
 
+#include "striate/base/named_table.hpp"
 #include "striate/config/diagnostics.hpp"
 #include "striate/config/node.hpp"
 #include "striate/tasks/condition.hpp"
 
 namespace striate::tasks {
 
-/// All conditions that scripts can name.
-[[nodiscard]] const std::vector<ConditionEntry>& condition_registry();
+using ConditionRegistry = NamedTable<ConditionEntry>;
+
+/// All conditions that scripts can name: ours, and after them those of plugins. One table of the
+/// whole process.
+[[nodiscard]] const ConditionRegistry& condition_registry();
+
+/// Takes in one more, before the first task script is read; for plugins alone
+/// (agent/plugins/load_plugin.hpp). @return false where the name is taken
+bool enroll(ConditionEntry entry);
+
+/// The condition of that name, which may be an old name of it; or nullptr.
+[[nodiscard]] const ConditionEntry* find_condition(const std::string& name);
 
 /// Reads `{name: value}`; nullptr with mistakes added where that fails.
 std::unique_ptr<Condition> read_condition(const config::Node& node,

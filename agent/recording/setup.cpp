@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "striate/agent/open_memory.hpp"
+#include "striate/agent/plugins/load_plugin.hpp"
 #include "striate/base/files.hpp"
 #include "striate/base/user_error.hpp"
 
@@ -55,6 +56,9 @@ replay::RecordedSetup record_setup(const tasks::Task& task, const tasks::GivenVa
   setup.robot_file = robot_file;
   if (!robot_file.empty()) setup.robot_text = read_file(robot_file);
   setup.settings = printed_settings(settings);
+  for (const PluginInUse& plugin : plugins_in_use()) {
+    setup.settings.emplace_back(kRecordedPlugin + plugin.name, plugin.file);
+  }
   setup.emergency_layer = settings.safety.emergency_layer;
   setup.robot = robot;
   return setup;

@@ -7,18 +7,40 @@
 #include <vector>
 
 #include "striate/agent/landmark_knowledge.hpp"
+#include "striate/agent/plugins/load_plugin.hpp"
 #include "striate/agent/recording/decision.hpp"
 #include "striate/agent/recording/setup.hpp"
+#include "striate/base/user_error.hpp"
 
 namespace striate::agent {
+namespace {
+
+/// A recording is data: it says which plugins it needs, and you say where their code is.
+void demand_plugins(const std::string& recording, const replay::RecordedSetup& setup) {
+  for (const auto& [key, file] : setup.settings) {
+    if (!key.starts_with(kRecordedPlugin)) continue;
+    const std::string name = key.substr(std::string(kRecordedPlugin).size());
+    const auto& used = plugins_in_use();
+    const auto same = [&](const PluginInUse& plugin) { return plugin.name == name; };
+    if (std::any_of(used.begin(), used.end(), same)) continue;
+    throw UserError(
+        fmt::format("{}: was recorded with the plugin '{}', which is not in use\n  hint: give it "
+                    "with --plugin; then it was {}",
+                    recording, name, file));
+  }
+}
+
+}  // namespace
 
 ReplayMission::ReplayMission(const ReplayOptions& options) : reader_(options.recording) {
   const replay::RecordedSetup& then = reader_.setup();
+  demand_plugins(options.recording, then);
   const RecordedFiles files(then);
   MissionOptions mission;
   mission.task = options.task.empty() ? files.task() : options.task;
   mission.robot = options.robot.empty() ? files.robot() : options.robot;
   mission.given = tasks::GivenVariables(then.variables.begin(), then.variables.end());
+  if (options.robot.empty()) mission.plugin_lines = PluginLines::ignore;
   mission.emergency_layer = then.emergency_layer;
   if (then.memory_known) mission.knowledge = read_mission_knowledge(files.memory());
   const BodySource recorded{.wake = [&](const RobotSettings&) -> Body {

@@ -11,6 +11,7 @@
 #include "striate/agent/robot_settings.hpp"
 #include "striate/app/commands/action_list.hpp"
 #include "striate/app/commands/commands.hpp"
+#include "striate/app/plugin_option.hpp"
 #include "striate/base/user_error.hpp"
 #include "striate/config/configuration_path.hpp"
 #include "striate/platform/simulator/world_reader.hpp"
@@ -84,6 +85,7 @@ void add_check_command(CLI::App& app, int& exit_code) {
       "Checks task scripts, worlds and robot settings without running them, and tells every\n"
       "mistake with its file, line and column. Exit code 2 if there is one.");
   command->add_option("files", options->files, "YAML files");
+  add_plugin_option(*command);
   command->add_option("--memory", options->memory,
                       "the long-term memory that must know the landmarks a task needs");
   command->add_flag("--actions", options->actions,

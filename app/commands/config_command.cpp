@@ -8,6 +8,7 @@
 #include "striate/app/command_line/found_file.hpp"
 #include "striate/app/commands/commands.hpp"
 #include "striate/app/configuration_report.hpp"
+#include "striate/app/plugin_option.hpp"
 
 namespace striate::app {
 namespace {
@@ -44,6 +45,7 @@ void add_config_command(CLI::App& app, int& exit_code) {
                          "          striate config --paths");
   CLI::Option* robot =
       command->add_option("--robot", options->robot, "settings file; without it the defaults");
+  add_plugin_option(*command);
   CLI::Option* explain =
       command->add_flag("--explain", options->explain, "with the meaning and range of each");
   command

@@ -5,6 +5,7 @@
 #include "striate/agent/robot_settings.hpp"
 #include "striate/app/command_line/found_file.hpp"
 #include "striate/app/commands/commands.hpp"
+#include "striate/app/plugin_option.hpp"
 #include "striate/app/doctor/configuration.hpp"
 #include "striate/app/doctor/devices.hpp"
 #include "striate/app/doctor/machine.hpp"
@@ -84,6 +85,7 @@ void add_doctor_command(CLI::App& app, int& exit_code) {
       "and how to mend it. Exit code 1 if something will not work.\n"
       "Example: striate doctor --robot pioneer --memory home.db");
   command->add_option("--robot", options->robot, "settings; its devices are tried, nothing moves");
+  add_plugin_option(*command);
   command->add_option("--memory", options->memory, "a long-term memory to check");
   command->add_option("--config", options->config,
                       "folder with worlds, tasks and robots; without it those of "

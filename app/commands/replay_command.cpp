@@ -11,6 +11,7 @@
 #include "striate/app/commands/commands.hpp"
 #include "striate/app/interrupt.hpp"
 #include "striate/app/perceive_files.hpp"
+#include "striate/app/plugin_option.hpp"
 #include "striate/base/files.hpp"
 #include "striate/base/user_error.hpp"
 
@@ -147,6 +148,7 @@ void add_replay_command(CLI::App& app, int& exit_code) {
   command->add_option("--robot", options->replay.robot,
                       "other settings than those of the recording");
   command->add_option("--task", options->replay.task, "another task than that of the recording");
+  add_plugin_option(*command);
   CLI::Option* pictures =
       command->add_option("--pictures", options->pictures, "folder for overview images")
           ->type_name("FOLDER");

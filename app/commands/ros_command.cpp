@@ -9,6 +9,7 @@
 #include "striate/app/command_line/whole_number.hpp"
 #include "striate/app/commands/commands.hpp"
 #include "striate/app/commands/run_mission.hpp"
+#include "striate/app/plugin_option.hpp"
 #include "striate/base/files.hpp"
 #include "striate/base/user_error.hpp"
 #ifdef STRIATE_HAS_ROS
@@ -94,6 +95,7 @@ void find_files(RosOptions& options) {
 void add_common(CLI::App& command, RosOptions& options) {
   command.add_option("--robot", options.run.mission.robot,
                      "settings; the section 'ros' names topics and frames");
+  add_plugin_option(command);
   command.add_option("--var", options.run.given, "a variable of the task, as \"way=20 m\"")
       ->type_name("NAME=VALUE")
       ->take_all();
@@ -153,6 +155,7 @@ void add_replay(CLI::App& ros, int& exit_code) {
   command->add_option("bag", options->bag, "the bag")->required();
   command->add_option("--robot", options->robot,
                       "settings; the section 'ros' names topics where they are not found");
+  add_plugin_option(*command);
   CLI::Option* out = command
                          ->add_option("--out", options->out,
                                       "folder for percepts.jsonl, one line an image pair, and "

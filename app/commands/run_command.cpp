@@ -1,11 +1,13 @@
 #include <memory>
 #include <string>
 
+#include "striate/agent/plugins/plugin_body.hpp"
 #include "striate/agent/simulated_body.hpp"
 #include "striate/app/command_line/found_file.hpp"
 #include "striate/app/command_line/whole_number.hpp"
 #include "striate/app/commands/commands.hpp"
 #include "striate/app/commands/run_mission.hpp"
+#include "striate/app/plugin_option.hpp"
 
 namespace striate::app {
 namespace {
@@ -15,10 +17,10 @@ struct RunCommandOptions {
   agent::WorldOptions world;
 };
 
-/// Without a world the robot is a real one.
+/// Without a world the robot is a real one, or that of a plugin.
 agent::BodySource body_for(const RunCommandOptions& options) {
-  return options.world.world.empty() ? agent::real_pioneer()
-                                     : agent::simulated_pioneer(options.world);
+  if (!options.world.world.empty()) return agent::simulated_pioneer(options.world);
+  return agent::named_body(options.run.mission.robot);
 }
 
 }  // namespace
@@ -38,6 +40,7 @@ void add_run_command(CLI::App& app, int& exit_code) {
       command->add_option("--world", options->world.world,
                           "the world file; without it the robot is the one that --robot tells of");
   command->add_option("--robot", options->run.mission.robot, "settings of the robot and its mind");
+  add_plugin_option(*command);
   command
       ->add_option("--seed", options->world.seed,
                    "start offset, people, noise, odometry: the same seed is the same run")

@@ -6,6 +6,7 @@
 #include "striate/app/command_line/found_file.hpp"
 #include "striate/app/commands/action_list.hpp"
 #include "striate/app/commands/commands.hpp"
+#include "striate/app/plugin_option.hpp"
 #include "striate/base/files.hpp"
 #include "striate/tasks/task_reader.hpp"
 
@@ -33,6 +34,7 @@ void add_show(CLI::App& command, int& exit_code) {
   auto options = std::make_shared<ShowOptions>();
   CLI::App* show_command = command.add_subcommand("show", "draws the tree of a task script");
   show_command->add_option("file", options->file, "the task script")->required();
+  add_plugin_option(*show_command);
   show_command->add_option("--svg", options->svg, "write an image instead");
   show_command->add_option("--xml", options->xml,
                            "write the XML of BehaviorTree.CPP 4 instead, for its editors");
@@ -48,6 +50,7 @@ void add_actions(CLI::App& command, int& exit_code) {
   CLI::App* actions = command.add_subcommand(
       "actions", "lists the actions and conditions that a script can use, with an example each");
   actions->add_option("name", *name, "only this one")->type_name("ACTION");
+  add_plugin_option(*actions);
   actions->add_flag("--json", *json, "print them as JSON");
   actions->callback([json, name, &exit_code] {
     fmt::print("{}", *json ? actions_as_json(*name).dump(2) + "\n" : actions_as_text(*name));

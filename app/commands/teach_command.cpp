@@ -18,6 +18,7 @@
 #include "striate/app/command_line/whole_number.hpp"
 #include "striate/app/commands/commands.hpp"
 #include "striate/app/interrupt.hpp"
+#include "striate/app/plugin_option.hpp"
 #include "striate/app/pose_text.hpp"
 #include "striate/base/files.hpp"
 #include "striate/base/user_error.hpp"
@@ -261,6 +262,7 @@ void add_teach_command(CLI::App& app, int& exit_code) {
   command->add_option("--memory", options->memory, "the memory; made where there is none")
       ->capture_default_str();
   command->add_option("--robot", options->robot, "settings of the robot and its mind");
+  add_plugin_option(*command);
   command->add_flag(
       "--undo", options->undo,
       "takes back the views that were taught last; older ones that made room for them "

@@ -6,6 +6,7 @@
 #include "striate/app/command_line/found_file.hpp"
 #include "striate/app/command_line/whole_number.hpp"
 #include "striate/app/commands/commands.hpp"
+#include "striate/app/plugin_option.hpp"
 #include "striate/app/trial/object_trial.hpp"
 #include "striate/app/trial/trial.hpp"
 #include "striate/app/trial/trial_merge.hpp"
@@ -92,6 +93,7 @@ void add_trial_command(CLI::App& app, int& exit_code) {
       ->delimiter(',');
   command->add_option("--task", options->task, "the task script")->capture_default_str();
   command->add_option("--robot", options->robot, "settings of the robot and its mind");
+  const auto plugins = add_plugin_option(*command);
   command->add_option("--memory", options->memory,
                       "the long-term memory that each run begins with; a run works on a copy");
   command->add_option("--runs", options->runs, "runs of each world; each has its own seed")
@@ -120,8 +122,8 @@ void add_trial_command(CLI::App& app, int& exit_code) {
   CLI::Option* instead = command->add_flag("--objects", *of_objects,
                                            "instead: teaches eight objects in one world and seeks "
                                            "them in another; --out is all it needs");
-  for (const char* unused :
-       {"--task", "--memory", "--runs", "--jobs", "--shard", "--no-emergency", "--baseline"}) {
+  for (const char* unused : {"--task", "--plugin", "--memory", "--runs", "--jobs", "--shard",
+                             "--no-emergency", "--baseline"}) {
     instead->excludes(command->get_option(unused));
   }
   command->add_option("--only", objects->only, "with --objects: these, separated by commas")
@@ -143,6 +145,7 @@ void add_trial_command(CLI::App& app, int& exit_code) {
     for (std::string& world : options->worlds) find_world(world);
     find_robot(options->robot);
     options->emergency_layer = !*no_emergency;
+    options->plugins = *plugins;
     exit_code = run_trial(*options);
   });
 }

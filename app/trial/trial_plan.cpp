@@ -50,6 +50,10 @@ std::vector<std::string> command_of(const TrialRun& run, const TrialOptions& opt
     command.emplace_back("--robot");
     command.push_back(options.robot);
   }
+  for (const std::string& plugin : options.plugins) {
+    command.emplace_back("--plugin");
+    command.push_back(plugin);
+  }
   if (!options.memory.empty()) {
     command.emplace_back("--memory");
     command.push_back(memory_of(run));

@@ -13,6 +13,7 @@ constexpr Duration kFadeEvery = std::chrono::milliseconds(500);
 constexpr Duration kFitEvery = std::chrono::milliseconds(400);
 constexpr double kSeenShareGain = 0.1;    // by hand: averaged over ten images, one second
 constexpr std::size_t kMostRegions = 64;  // by hand: of an image; memory holds seven
+constexpr std::size_t kUsualFigures = 32;  // by hand: of plugins; with more, the first image allocates
 
 }  // namespace
 
@@ -25,6 +26,7 @@ ShortTermMemory::ShortTermMemory(const ShortTermMemorySettings& settings,
       landmarks_(settings.landmarks),
       place_(settings.localisation) {
   regions_now_.reserve(kMostRegions);
+  figures_.reserve(kUsualFigures);
 }
 
 const ShortTermMemory& ShortTermMemory::update(const Senses& senses,
@@ -83,6 +85,7 @@ void ShortTermMemory::see(const perception::Percept& percept) {
   image_stamp_ = percept.stamp;
   light_level_ = percept.light_level;
   noise_level_ = percept.noise_level;
+  figures_.assign(percept.figures.begin(), percept.figures.end());
   if (!history_.reaches(percept.stamp)) return;  // too old to say where it belongs
   const Pose2 at = history_.at(percept.stamp);
   occupancy_.write(percept, at, grid_);
@@ -144,6 +147,13 @@ void ShortTermMemory::fade() {
     grid_.blur_older_than(now_ - from_seconds(settings_.blur_after_s),
                           static_cast<float>(settings_.blur_share));
   }
+}
+
+double ShortTermMemory::figure(std::string_view name) const {
+  for (const perception::Figure& figure : figures_) {
+    if (figure.name.view() == name) return figure.value;
+  }
+  return std::numeric_limits<double>::quiet_NaN();
 }
 
 double ShortTermMemory::image_age_s() const {

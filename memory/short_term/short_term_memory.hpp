@@ -131,6 +131,9 @@ class ShortTermMemory {
   [[nodiscard]] double noise_level() const { return noise_level_; }  ///< grey levels of 255
   /// Share of the newest image's columns that know anything, slowly averaged.
   [[nodiscard]] double seen_share() const { return seen_share_; }
+  /// What a stage of a plugin found in the newest image: "STAGE.FIGURE", see perception/stage.hpp.
+  /// @return NaN where it is not known, or there is no such figure
+  [[nodiscard]] double figure(std::string_view name) const;
 
   // What was done. `steps_back` 0 is the newest; default command before the first.
   [[nodiscard]] const SentCommand& sent(std::size_t steps_back = 0) const;
@@ -175,6 +178,7 @@ class ShortTermMemory {
   double light_level_ = 0.0;
   double noise_level_ = 0.0;
   double seen_share_ = 0.0;
+  std::vector<perception::Figure> figures_;
 
   std::array<SentCommand, kCommands> sent_{};
   std::size_t next_sent_ = 0;

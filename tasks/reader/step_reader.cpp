@@ -43,6 +43,10 @@ Branch group(Outline::Kind kind, const Node::Entry& entry, Flow flow, std::vecto
 
 }  // namespace
 
+bool is_word_of_steps(const std::string& word) {
+  return is_one_of(word, kGroups) || is_one_of(word, kBeside);
+}
+
 std::vector<Branch> StepReader::list(const Node& node, const std::string& key) {
   std::vector<Branch> steps;
   if (node.kind != Node::Kind::list) {

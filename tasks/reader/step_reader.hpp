@@ -24,6 +24,9 @@ struct ReadContext {
   int steps_left = 5000;              ///< of all files together
 };
 
+/// Whether the word means something in a step already, so that no action may have it as its name.
+[[nodiscard]] bool is_word_of_steps(const std::string& word);
+
 /// Reads the steps of one file.
 class StepReader {
  public:
