@@ -178,10 +178,11 @@ class ShortTermMemory {
   double light_level_ = 0.0;
   double noise_level_ = 0.0;
   double seen_share_ = 0.0;
-  std::vector<perception::Figure> figures_;
 
   std::array<SentCommand, kCommands> sent_{};
   std::size_t next_sent_ = 0;
+
+  std::vector<perception::Figure> figures_;  ///< of the newest image
 };
 
 }  // namespace striate::memory
