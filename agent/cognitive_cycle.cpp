@@ -8,8 +8,8 @@ namespace striate::agent {
 namespace {
 
 perception::PerceptionExtras extras_for(const CycleExtras& extras, const Robot& robot) {
-  perception::PerceptionExtras perception{{}, &robot.clock(), extras.disparities,
-                                           &perception::stage_registry()};
+  perception::PerceptionExtras perception{
+      {}, &robot.clock(), extras.disparities, &perception::stage_registry()};
   if (extras.knowledge) perception.views = memory::views_of(extras.knowledge->landmarks);
   return perception;
 }

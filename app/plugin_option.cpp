@@ -13,7 +13,8 @@ std::shared_ptr<const std::vector<std::string>> add_plugin_option(CLI::App& comm
             *files = given;
             for (const std::string& file : given) agent::use_plugin(file);
           },
-          "a shared object with behaviours, conditions, stages or bodies; more than one may be given")
+          "a shared object with behaviours, conditions, stages or bodies; more than one may be "
+          "given")
       ->allow_extra_args(false)
       ->take_all();
   return files;

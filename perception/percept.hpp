@@ -143,7 +143,7 @@ struct ExpectedLook {
 
 /// What a stage of a plugin found out (stage.hpp).
 struct Figure {
-  FixedText<63> name;  ///< "STAGE.FIGURE"
+  FixedText<63> name;                                       ///< "STAGE.FIGURE"
   double value = std::numeric_limits<double>::quiet_NaN();  ///< not known
 };
 

@@ -40,8 +40,8 @@ struct PluginInfo {
 #define STRIATE_TEXT_OF(x) #x
 #define STRIATE_TEXT(x) STRIATE_TEXT_OF(x)
 /// What C++ objects look like between two compilers: the Itanium ABI and the kind of std::string.
-inline constexpr const char* kCompilerAbi = "C++ ABI " STRIATE_TEXT(__GXX_ABI_VERSION) ", strings "
-    STRIATE_TEXT(_GLIBCXX_USE_CXX11_ABI);
+inline constexpr const char* kCompilerAbi =
+    "C++ ABI " STRIATE_TEXT(__GXX_ABI_VERSION) ", strings " STRIATE_TEXT(_GLIBCXX_USE_CXX11_ABI);
 #undef STRIATE_TEXT
 #undef STRIATE_TEXT_OF
 
@@ -63,11 +63,11 @@ inline constexpr unsigned long kPluginLayout = [] {
 
 /// Makes a shared object a plugin: once in it, outside of any namespace.
 /// @param enroll_function of type void(striate::agent::PluginRegistrar&)
-#define STRIATE_PLUGIN(plugin_name, enroll_function)                                              \
-  extern "C" __attribute__((visibility("default"))) const striate::agent::PluginInfo*             \
-  striate_plugin() {                                                                              \
-    static constexpr striate::agent::PluginInfo info{                                             \
-        striate::agent::kPluginInterface, striate::kVersion,  striate::agent::kCompilerAbi,       \
-        striate::agent::kPluginLayout,    plugin_name,        enroll_function};                   \
-    return &info;                                                                                 \
+#define STRIATE_PLUGIN(plugin_name, enroll_function)                                       \
+  extern "C" __attribute__((visibility("default"))) const striate::agent::PluginInfo*      \
+  striate_plugin() {                                                                       \
+    static constexpr striate::agent::PluginInfo info{                                      \
+        striate::agent::kPluginInterface, striate::kVersion, striate::agent::kCompilerAbi, \
+        striate::agent::kPluginLayout,    plugin_name,       enroll_function};             \
+    return &info;                                                                          \
   }

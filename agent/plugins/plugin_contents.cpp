@@ -30,8 +30,8 @@ bool is_name(const std::string& text) {
 }  // namespace
 
 void PluginContents::refuse(const std::string& what, const std::string& hint) const {
-  throw UserError(fmt::format("{}: the plugin '{}' {}\n  hint: {}", plugin_.file, plugin_.name,
-                              what, hint));
+  throw UserError(
+      fmt::format("{}: the plugin '{}' {}\n  hint: {}", plugin_.file, plugin_.name, what, hint));
 }
 
 void PluginContents::check_name(const std::string& kind, const std::string& name,

@@ -30,7 +30,8 @@ void load(const Node& list, config::Diagnostics& diagnostics) {
   const fs::path folder = fs::path(diagnostics.file()).parent_path();
   for (const Node& item : list.items) {
     if (item.kind != Node::Kind::scalar) {
-      diagnostics.add(item.place, fmt::format("a plugin is a file, but this is {}", item.describe()));
+      diagnostics.add(item.place,
+                      fmt::format("a plugin is a file, but this is {}", item.describe()));
       continue;
     }
     try {

@@ -18,8 +18,8 @@ namespace striate::agent {
 /// How the settings of a recording call the plugins of the run: "plugins.NAME", with the file.
 inline constexpr const char* kRecordedPlugin = "plugins.";
 
-/// The settings' file, all in force and the plugins in use, the task with the files that it uses, what it was given,
-/// and the body. World, seed and memory are left to the caller.
+/// The settings' file, all in force and the plugins in use, the task with the files that it uses,
+/// what it was given, and the body. World, seed and memory are left to the caller.
 /// @throws UserError where a file cannot be read any more
 [[nodiscard]] replay::RecordedSetup record_setup(const tasks::Task& task,
                                                  const tasks::GivenVariables& given,

@@ -5,10 +5,10 @@
 #include "striate/agent/robot_settings.hpp"
 #include "striate/app/command_line/found_file.hpp"
 #include "striate/app/commands/commands.hpp"
-#include "striate/app/plugin_option.hpp"
 #include "striate/app/doctor/configuration.hpp"
 #include "striate/app/doctor/devices.hpp"
 #include "striate/app/doctor/machine.hpp"
+#include "striate/app/plugin_option.hpp"
 #include "striate/base/user_error.hpp"
 
 namespace striate::app {

@@ -10,12 +10,12 @@ namespace striate::app {
 struct TrialOptions {
   std::vector<std::string> worlds;
   std::string task = "config/tasks/corridor.yaml";
-  std::string robot;             ///< settings file; empty: the built-in defaults
-  std::string memory;            ///< what each run begins with, in a copy of its own; empty: none
+  std::string robot;   ///< settings file; empty: the built-in defaults
+  std::string memory;  ///< what each run begins with, in a copy of its own; empty: none
   std::vector<std::string> plugins;  ///< shared objects that each run is given
-  int runs = 20;                 ///< of each world
-  int jobs = 1;                  ///< how many at once
-  std::uint64_t first_seed = 1;  ///< of a series of runs
+  int runs = 20;                     ///< of each world
+  int jobs = 1;                      ///< how many at once
+  std::uint64_t first_seed = 1;      ///< of a series of runs
   bool emergency_layer = true;
   std::string baseline;  ///< see MissionOptions
   std::string out;

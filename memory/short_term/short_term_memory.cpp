@@ -13,7 +13,8 @@ constexpr Duration kFadeEvery = std::chrono::milliseconds(500);
 constexpr Duration kFitEvery = std::chrono::milliseconds(400);
 constexpr double kSeenShareGain = 0.1;    // by hand: averaged over ten images, one second
 constexpr std::size_t kMostRegions = 64;  // by hand: of an image; memory holds seven
-constexpr std::size_t kUsualFigures = 32;  // by hand: of plugins; with more, the first image allocates
+constexpr std::size_t kUsualFigures =
+    32;  // by hand: of plugins; with more, the first image allocates
 
 }  // namespace
 

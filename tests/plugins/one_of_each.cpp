@@ -47,8 +47,7 @@ class SideLight final : public perception::Stage {
   void see(const StereoFrame& frame, const perception::Percept& percept,
            std::span<double> figures) override {
     const auto half = [&](int from) {
-      const cv::Scalar bgr =
-          cv::mean(frame.left.colRange(from, from + frame.left.cols / 2));
+      const cv::Scalar bgr = cv::mean(frame.left.colRange(from, from + frame.left.cols / 2));
       return (bgr[0] + bgr[1] + bgr[2]) / 3.0 / 255.0;
     };
     figures[0] = half(0) - half(frame.left.cols / 2);
@@ -104,14 +103,18 @@ void visit(V& v, Post::Settings& s) {
 void enroll(agent::PluginRegistrar& plugin) {
   plugin.add(behaviours::behaviour_entry<Wave>("wave", "turns the head from side to side"));
   plugin.add(perception::StageEntry{
-      "side_light", "which half of the image is brighter", {"difference", "obstacles"},
+      "side_light",
+      "which half of the image is brighter",
+      {"difference", "obstacles"},
       [](const RobotDescription&) { return std::make_unique<SideLight>(); }});
-  plugin.add(tasks::ConditionEntry{
-      "light_is_even", "neither half of the image is brighter by more than this",
-      config::Unit::fraction, {0.0, 1.0}, "10 %",
-      [](double limit) -> std::unique_ptr<tasks::Condition> {
-        return std::make_unique<LightIsEven>(limit);
-      }});
+  plugin.add(tasks::ConditionEntry{"light_is_even",
+                                   "neither half of the image is brighter by more than this",
+                                   config::Unit::fraction,
+                                   {0.0, 1.0},
+                                   "10 %",
+                                   [](double limit) -> std::unique_ptr<tasks::Condition> {
+                                     return std::make_unique<LightIsEven>(limit);
+                                   }});
   plugin.add(agent::body_entry<Post>("post", "stands and sees nothing"));
 }
 

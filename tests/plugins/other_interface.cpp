@@ -12,11 +12,8 @@ void enroll(striate::agent::PluginRegistrar& /*plugin*/) {
 }  // namespace
 
 extern "C" const striate::agent::PluginInfo* striate_plugin() {
-  static constexpr striate::agent::PluginInfo info{STRIATE_TEST_INTERFACE,
-                                                   STRIATE_TEST_VERSION,
-                                                   STRIATE_TEST_ABI,
-                                                   STRIATE_TEST_LAYOUT,
-                                                   "other_interface",
-                                                   enroll};
+  static constexpr striate::agent::PluginInfo info{STRIATE_TEST_INTERFACE, STRIATE_TEST_VERSION,
+                                                   STRIATE_TEST_ABI,       STRIATE_TEST_LAYOUT,
+                                                   "other_interface",      enroll};
   return &info;
 }

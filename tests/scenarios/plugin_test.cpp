@@ -58,8 +58,8 @@ TEST(Plugins, TheCheckerKnowsTheirNamesOnlyWithThem) {
   const Ended with = striate({"check", task, "--plugin", plugin("one_of_each")});
   EXPECT_EQ(with.exit_code, 0) << with.err;
 
-  const std::string wrong = folder.write(
-      "wrong.yaml", "striate: 1\nmission: wave\ndo:\n  - wave: {for: 3 m}\n");
+  const std::string wrong =
+      folder.write("wrong.yaml", "striate: 1\nmission: wave\ndo:\n  - wave: {for: 3 m}\n");
   const Ended mistaken = striate({"check", wrong, "--plugin", plugin("one_of_each")});
   EXPECT_EQ(mistaken.exit_code, 2);
   EXPECT_THAT(mistaken.err, HasSubstr("wrong.yaml:4:16"));
@@ -75,8 +75,8 @@ TEST(Plugins, AreListedLikeOurs) {
 TEST(Plugins, TheRobotsYamlNamesPluginAndBodyBesideItself) {
   const TemporaryFolder folder;
   std::filesystem::copy_file(plugin("one_of_each"), folder / "mine.so");
-  const std::string robot = folder.write(
-      "post.yaml", "plugins: [mine.so]\nbody: {post: {gives_up_after: 20 s}}\n");
+  const std::string robot =
+      folder.write("post.yaml", "plugins: [mine.so]\nbody: {post: {gives_up_after: 20 s}}\n");
   const std::string task = folder.write("t.yaml", "striate: 1\nmission: w\ndo:\n  - wave: 2 s\n");
   const Ended ended = striate({"run", task, "--robot", robot, "--json"});
   EXPECT_EQ(ended.exit_code, 0) << ended.err;
