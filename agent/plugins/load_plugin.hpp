@@ -3,19 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "striate/agent/plugins/plugin.hpp"
+#include "striate/agent/plugins/plugin_contents.hpp"
 
 namespace striate::agent {
-
-/// A plugin that was found good, with what it adds. Its code stays in the process for ever.
-struct Plugin {
-  std::string name;
-  std::string file;  ///< absolute, without links
-  std::vector<behaviours::BehaviourEntry> behaviours;
-  std::vector<tasks::ConditionEntry> conditions;
-  std::vector<perception::StageEntry> stages;
-  std::vector<BodyEntry> bodies;
-};
 
 /// Loads a shared object and asks what it adds; enrolls nothing. Its code runs with all rights of
 /// this process, from here on.

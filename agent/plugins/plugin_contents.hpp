@@ -1,8 +1,21 @@
 #pragma once
 
-#include "striate/agent/plugins/load_plugin.hpp"
+#include <string>
+#include <vector>
+
+#include "striate/agent/plugins/plugin.hpp"
 
 namespace striate::agent {
+
+/// A plugin that was found good, with what it adds. Its code stays in the process for ever.
+struct Plugin {
+  std::string name;
+  std::string file;  ///< absolute, without links
+  std::vector<behaviours::BehaviourEntry> behaviours;
+  std::vector<tasks::ConditionEntry> conditions;
+  std::vector<perception::StageEntry> stages;
+  std::vector<BodyEntry> bodies;
+};
 
 /// Notes what a plugin adds, and judges each name as it comes.
 class PluginContents final : public PluginRegistrar {
