@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <string_view>
 #include <utility>
 
 #include "striate/agent/plugins/load_plugin.hpp"
@@ -14,6 +15,9 @@ namespace {
 
 namespace fs = std::filesystem;
 using config::Node;
+
+/// Between what is wrong with a plugin and how to mend it.
+constexpr std::string_view kHint = "\n  hint: ";
 
 /// Takes one key out of a map. @return the entry with nothing in it where there is none
 Node::Entry take(Node& map, const std::string& key) {
@@ -37,7 +41,10 @@ void load(const Node& list, config::Diagnostics& diagnostics) {
     try {
       use_plugin((folder / item.text).string());
     } catch (const UserError& error) {
-      diagnostics.add(item.place, error.what());
+      const std::string text = error.what();
+      const std::size_t hint = text.find(kHint);
+      diagnostics.add(item.place, text.substr(0, hint),
+                      hint == std::string::npos ? "" : text.substr(hint + kHint.size()));
     }
   }
 }

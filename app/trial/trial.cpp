@@ -91,7 +91,7 @@ class Trial {
     status_.clear();
     write();
     fmt::print("{}{}", trial_table(done()),
-               replay_commands(done(), options_.robot, options_.memory));
+               replay_commands(done(), options_.robot, options_.memory, options_.plugins));
     if (Interrupt::requested()) {
       fmt::print("\ninterrupted: {} of {} runs are done; the same command goes on from here\n",
                  done().size(), runs_.size());

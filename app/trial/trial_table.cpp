@@ -176,17 +176,19 @@ std::string trial_table(const std::vector<agent::RunResult>& results) {
 }
 
 std::string replay_commands(const std::vector<agent::RunResult>& results, const std::string& robot,
-                            const std::string& memory) {
+                            const std::string& memory, const std::vector<std::string>& plugins) {
   std::string text;
+  std::string with_plugins;
+  for (const std::string& plugin : plugins) with_plugins += " --plugin " + plugin;
   for (const agent::RunResult& result : results) {
     if (result.outcome == agent::RunOutcome::success) continue;
     text += fmt::format(
-        "    striate run {} --world {} --seed {}{}{}{}{} --picture-every 10 --pictures "
+        "    striate run {} --world {} --seed {}{}{}{}{}{} --picture-every 10 --pictures "
         "out/replay/{}_seed{:03d}\n",
         result.task, result.world, result.seed, result.emergency_layer ? "" : " --no-emergency",
         result.baseline.empty() ? "" : " --baseline " + result.baseline,
         robot.empty() ? "" : " --robot " + robot, memory.empty() ? "" : " --memory " + memory,
-        world_name(result.world), result.seed);
+        with_plugins, world_name(result.world), result.seed);
   }
   return text.empty() ? text : "\nTo see what failed again:\n" + text;
 }

@@ -25,7 +25,9 @@ struct Interval {
 
 /// A command for each failed run that runs it again, the same bit for bit, with images to watch.
 /// @param robot the settings file of the trial; may be empty, @param memory likewise.
+/// @param plugins that each run was given
 [[nodiscard]] std::string replay_commands(const std::vector<agent::RunResult>& results,
-                                          const std::string& robot, const std::string& memory = "");
+                                          const std::string& robot, const std::string& memory = "",
+                                          const std::vector<std::string>& plugins = {});
 
 }  // namespace striate::app

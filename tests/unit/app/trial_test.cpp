@@ -188,6 +188,17 @@ TEST(TrialPlan, NamesEveryRunOnce) {
   EXPECT_THAT(command_of(runs[0], options, "striate"), testing::Contains("--no-emergency"));
 }
 
+TEST(TrialPlan, EveryRunAndItsRepetitionHaveThePluginsOfTheTrial) {
+  TrialOptions options;
+  options.plugins = {"a.so", "b.so"};
+  const std::vector<std::string> command = command_of({"w.yaml", 1, "r.json"}, options, "striate");
+  std::string line;
+  for (const std::string& word : command) line += word + " ";
+  EXPECT_THAT(line, HasSubstr("--plugin a.so --plugin b.so"));
+  EXPECT_THAT(replay_commands({run("corridor_a", 2, false)}, "", "", options.plugins),
+              HasSubstr("--plugin a.so --plugin b.so --picture-every"));
+}
+
 TEST(ProcessPool, RunsAllAndTellsHowEachEnded) {
   std::vector<int> codes(4, -2);
   std::string said;
