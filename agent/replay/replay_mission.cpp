@@ -39,16 +39,18 @@ ReplayMission::ReplayMission(const ReplayOptions& options) : reader_(options.rec
   MissionOptions mission;
   mission.task = options.task.empty() ? files.task() : options.task;
   mission.robot = options.robot.empty() ? files.robot() : options.robot;
-  mission.given = tasks::GivenVariables(then.variables.begin(), then.variables.end());
   if (options.robot.empty()) mission.plugin_lines = PluginLines::ignore;
   mission.emergency_layer = then.emergency_layer;
   if (then.memory_known) mission.knowledge = read_mission_knowledge(files.memory());
-  const BodySource recorded{.wake = [&](const RobotSettings&) -> Body {
-                              auto robot = std::make_unique<replay::ReplayRobot>(reader_);
-                              body_ = robot.get();
-                              return {.robot = std::move(robot), .place = options.recording};
-                            },
-                            .description = then.robot};
+  const BodySource recorded{
+      .wake = [&](const RobotSettings&) -> Body {
+        auto robot = std::make_unique<replay::ReplayRobot>(reader_);
+        body_ = robot.get();
+        return {.robot = std::move(robot), .place = options.recording};
+      },
+      // As a place gives them: not every task has them all.
+      .given = tasks::GivenVariables(then.variables.begin(), then.variables.end()),
+      .description = then.robot};
   mission_.emplace(mission, recorded);
 }
 

@@ -25,11 +25,11 @@ class Change final : public perception::Stage {
 };
 
 /// The figure is read from memory, as a behaviour of the plugin would do it.
-class ViewIsCalm final : public tasks::Condition {
+class ViewChanges final : public tasks::Condition {
  public:
-  explicit ViewIsCalm(double limit) : limit_(limit) {}
+  explicit ViewChanges(double limit) : limit_(limit) {}
   [[nodiscard]] bool holds(const memory::ShortTermMemory& memory) const override {
-    return memory.figure("change.mean") < limit_;  // false while it is NaN
+    return memory.figure("change.mean") >= limit_;  // false while it is NaN
   }
 
  private:
@@ -42,13 +42,13 @@ void enroll(agent::PluginRegistrar& plugin) {
       .help = "how much the view changes",
       .figures = {"mean"},
       .make = [](const RobotDescription&) { return std::make_unique<Change>(); }});
-  plugin.add(tasks::ConditionEntry{.name = "view_is_calm",
-                                   .help = "the view changes less than this from image to image",
+  plugin.add(tasks::ConditionEntry{.name = "view_changes",
+                                   .help = "the view changes at least so much from image to image",
                                    .unit = config::Unit::fraction,
                                    .range = {0.0, 1.0},
-                                   .example = "0.5 %",
+                                   .example = "2 %",
                                    .make = [](double limit) -> std::unique_ptr<tasks::Condition> {
-                                     return std::make_unique<ViewIsCalm>(limit);
+                                     return std::make_unique<ViewChanges>(limit);
                                    }});
 }
 
