@@ -31,7 +31,7 @@ constexpr std::size_t kMostFrames = 600;  // four minutes of film; 30 MB in memo
 
 /// Small, and of few colours: noise of the camera would make most of the file.
 cv::Mat3b film_frame(const cv::Mat3b& sheet) {
-  constexpr int kLevels = 24;  // steps between two shades of a channel (ours)
+  constexpr int kLevels = 16;  // steps between two shades of a channel (ours)
   cv::Mat3b frame;
   const int height_px = sheet.rows * kFilmWidth_px / sheet.cols;
   cv::resize(sheet, frame, {kFilmWidth_px, height_px}, 0, 0, cv::INTER_AREA);

@@ -93,7 +93,7 @@ TEST(ManualPage, HasEveryCommandAndOption) {
   EXPECT_THAT(page.out, AllOf(HasSubstr("\n.SS striate memory list\n"),
                               HasSubstr("\n.SS striate learn\\-descriptor\n"),
                               HasSubstr("\\fB\\-\\-tilt\\-deg\\fR \\fIFLOAT\\fR\n"),
-                              HasSubstr("(from \\-60 to 60; default \\-13; only with \\-\\-image)"),
+                              HasSubstr("(from \\-60 to 60; default \\-13; only with \\-\\-picture)"),
                               HasSubstr("\\fB\\-\\-kind\\fR p3dx|p3dx\\-sh\n")));
   // Every option that any help shows stands in the page.
   for (const std::string& line : lines_of(striate({"help", "run"}).out)) {
