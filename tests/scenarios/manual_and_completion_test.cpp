@@ -90,11 +90,12 @@ TEST(ManualPage, HasEveryCommandAndOption) {
                               "EXIT STATUS", "ENVIRONMENT", "FILES", "EXAMPLES"}) {
     EXPECT_THAT(page.out, HasSubstr(std::string("\n.SH ") + section + "\n"));
   }
-  EXPECT_THAT(page.out, AllOf(HasSubstr("\n.SS striate memory list\n"),
-                              HasSubstr("\n.SS striate learn\\-descriptor\n"),
-                              HasSubstr("\\fB\\-\\-tilt\\-deg\\fR \\fIFLOAT\\fR\n"),
-                              HasSubstr("(from \\-60 to 60; default \\-13; only with \\-\\-picture)"),
-                              HasSubstr("\\fB\\-\\-kind\\fR p3dx|p3dx\\-sh\n")));
+  EXPECT_THAT(page.out,
+              AllOf(HasSubstr("\n.SS striate memory list\n"),
+                    HasSubstr("\n.SS striate learn\\-descriptor\n"),
+                    HasSubstr("\\fB\\-\\-tilt\\-deg\\fR \\fIFLOAT\\fR\n"),
+                    HasSubstr("(from \\-60 to 60; default \\-13; only with \\-\\-picture)"),
+                    HasSubstr("\\fB\\-\\-kind\\fR p3dx|p3dx\\-sh\n")));
   // Every option that any help shows stands in the page.
   for (const std::string& line : lines_of(striate({"help", "run"}).out)) {
     const std::size_t at = line.find("  --");
