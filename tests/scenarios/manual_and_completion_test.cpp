@@ -109,8 +109,8 @@ TEST(ManualPage, HasEveryCommandAndOption) {
 }
 
 TEST(ManualPage, NoLineIsTakenForAnUnknownRequest) {
-  const std::vector<std::string> known = {".\\\"", ".TH", ".SH", ".SS", ".TP", ".PP",
-                                          ".br",   ".nf", ".fi", ".B",  ".I"};
+  const std::vector<std::string> known = {".\\\"", ".TH", ".SH", ".SS", ".TP", ".PP", ".br",
+                                          ".nf",   ".fi", ".B",  ".I",  ".IR", ".BR"};
   for (const std::string& line : lines_of(striate({"help", "--man"}).out)) {
     if (line.empty() || (line[0] != '.' && line[0] != '\'')) continue;
     EXPECT_THAT(known, Contains(line.substr(0, line.find(' ')))) << line;

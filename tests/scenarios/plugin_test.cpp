@@ -62,7 +62,7 @@ TEST(Plugins, TheCheckerKnowsTheirNamesOnlyWithThem) {
       folder.write("wrong.yaml", "striate: 1\nmission: wave\ndo:\n  - wave: {for: 3 m}\n");
   const Ended mistaken = striate({"check", wrong, "--plugin", plugin("one_of_each")});
   EXPECT_EQ(mistaken.exit_code, 2);
-  EXPECT_THAT(mistaken.err, HasSubstr("wrong.yaml:4:16"));
+  EXPECT_THAT(mistaken.err, HasSubstr("wrong.yaml:4:17"));
 }
 
 TEST(Plugins, AreListedLikeOurs) {
@@ -87,7 +87,7 @@ TEST(Plugins, TheRobotsYamlNamesPluginAndBodyBesideItself) {
       folder.write("wrong.yaml", "plugins: [mine.so]\nbody: {post: {gives_up: 20 s}}\n");
   const Ended misspelt = striate({"check", wrong});
   EXPECT_EQ(misspelt.exit_code, 2);
-  EXPECT_THAT(misspelt.err, HasSubstr("wrong.yaml:2:14"));
+  EXPECT_THAT(misspelt.err, HasSubstr("wrong.yaml:2:15"));
   const std::string unknown = folder.write("unknown.yaml", "body: post\n");
   const Ended missing = striate({"check", unknown});
   EXPECT_EQ(missing.exit_code, 2);
