@@ -211,10 +211,6 @@ TEST(RunCommand, WithoutAWorldTellsWhatIsMissing) {
                      "--var", "way"})
                 .exit_code,
             2);
-  EXPECT_EQ(striate({"run", "config/tasks/corridor.yaml", "--world", "config/worlds/short.yaml",
-                     "--var", "way=1 m"})
-                .exit_code,
-            2);
 }
 
 }  // namespace
