@@ -84,8 +84,8 @@ class TreeBuilder final : public YAML::EventHandler {
     SourceLocation key_place;
   };
 
-  /// Nothing has no place of its own: the parser gives that of what follows. Told is where the
-  /// '-' or ':' before it stands.
+  /// An empty value has no place of its own, and the parser gives that of what follows. Returns
+  /// where the '-' or ':' before it stands.
   [[nodiscard]] SourceLocation place_before(const YAML::Mark& mark) const {
     auto at = std::min(static_cast<std::size_t>(std::max(mark.pos, 0)), text_.size());
     while (at > 0 && std::string_view(" \t\r\n").find(text_[at - 1]) != std::string_view::npos)

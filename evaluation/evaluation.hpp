@@ -8,7 +8,7 @@
 namespace striate::evaluation {
 
 struct EvalOptions {
-  std::string folder;  ///< of the data; the layouts are told by `striate eval KIND --help`
+  std::string folder;  ///< of the data; `striate eval KIND --help` lists the layouts
   std::string out;     ///< folder for CSV and plot; made where it is missing
 };
 

@@ -18,7 +18,7 @@
 namespace striate::agent {
 namespace {
 
-/// A limit on file sizes is told by an error, not by a signal that ends the program.
+/// Makes a write beyond the limit on file sizes fail with an error instead of ending the program.
 void ignore_size_limit() {
   sigset_t set;
   sigemptyset(&set);

@@ -51,7 +51,7 @@ HWY_INLINE V16 Look(const Tap& tap, int x) {
   return hn::Add(hn::Add(upper, lower), hn::Set(d, 2));
 }
 
-/// Doubles so many times, at most to 65535.
+/// Doubles `value` `times` times, at most to 65535.
 HWY_INLINE V16 Double(V16 value, int times, V16 largest) {
   return hn::ShiftLeftSame(hn::Min(value, largest), times);
 }

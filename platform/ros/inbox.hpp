@@ -14,7 +14,7 @@ namespace striate::ros {
 enum class Eye { left, right };
 
 /// What messages say, as senses: the newest of each, stamped in body time. A message that cannot be
-/// used changes nothing and is told by `trouble`. No thread, no clock: a live robot and a bag both
+/// used changes nothing, and `trouble` says why. No thread, no clock: a live robot and a bag both
 /// fill it.
 class Inbox {
  public:

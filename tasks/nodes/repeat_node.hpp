@@ -4,7 +4,7 @@
 
 namespace striate::tasks {
 
-/// `repeat`: again and again, so many times or until it is halted. A round that fails ends it.
+/// `repeat`: runs its step a given number of times, or until it is halted. A round that fails ends it.
 class RepeatNode final : public TaskNode {
  public:
   /// @param times 0: for ever.
