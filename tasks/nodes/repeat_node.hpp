@@ -4,7 +4,8 @@
 
 namespace striate::tasks {
 
-/// `repeat`: runs its step a given number of times, or until it is halted. A round that fails ends it.
+/// `repeat`: runs its step a given number of times, or until it is halted. A round that fails ends
+/// it.
 class RepeatNode final : public TaskNode {
  public:
   /// @param times 0: for ever.
