@@ -23,10 +23,10 @@ constexpr double kMiddleOff_rad = 0.02;
 constexpr double kFrameSigma_m = 5.0;
 constexpr double kFrameSigma_rad = 0.5;
 
-constexpr double kDisparityMetre_px = 24.4;  // of the simulated camera, rounded
-
+/// Without the image's focal length and baseline nothing says how far off the range may be.
 bool has_range(const LandmarkSighting& sighting) {
-  return std::isfinite(sighting.distance_m) && sighting.distance_m > 0.0;
+  return std::isfinite(sighting.distance_m) && sighting.distance_m > 0.0 &&
+         sighting.disparity_metre_px > 0.0;
 }
 
 double distance_m(const MapPosition& a, const MapPosition& b) {
@@ -145,7 +145,8 @@ SightingVerdict SlamEstimate::put(MappedLandmark& one, const EkfSlam::Seen& seen
 /// (f B). What is taken for the middle of a landmark differs from side to side.
 EkfSlam::Seen SlamEstimate::seen_from(const LandmarkSighting& sighting, const Pose2& from) const {
   const double range_m = sighting.distance_m;
-  const double along_m = range_m * range_m * settings_.disparity_error_px / kDisparityMetre_px;
+  const double along_m =
+      range_m * range_m * settings_.disparity_error_px / sighting.disparity_metre_px;
   const double across_m = range_m * settings_.bearing_error_rad;
   const double middle_m2 = settings_.middle_error_m * settings_.middle_error_m;
   const double along_m2 = along_m * along_m + middle_m2;

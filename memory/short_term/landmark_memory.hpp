@@ -22,8 +22,10 @@ struct LandmarkSighting {
   TimePoint stamp;            ///< of the image
   double score = 0.0;         ///< 0..1, of the recognition
   double bearing_rad = 0.0;
-  double distance_m = 0.0;          ///< not above 0, or not finite: unknown
-  double disparity_metre_px = 0.0;  ///< of the image: focal length x baseline; Z = this / d
+  double distance_m = 0.0;  ///< not above 0, or not finite: unknown
+  /// Of the image: focal length x baseline; Z = this / d. Not above 0: the distance is unknown,
+  /// too.
+  double disparity_metre_px = 0.0;
 };
 
 /// A landmark that the robot has in mind: recognised in this run, recalled, or both.

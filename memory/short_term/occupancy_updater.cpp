@@ -60,8 +60,6 @@ bool beside_something_still(GridCell cell, const LocalGrid& grid) {
   return false;
 }
 
-constexpr double kDisparityMetre_px = 24.4;  // of the simulated camera, rounded
-
 }  // namespace
 
 OccupancyUpdater::OccupancyUpdater(const OccupancySettings& settings, double camera_height_m)
@@ -81,7 +79,7 @@ void OccupancyUpdater::write(const perception::Percept& percept, const Pose2& po
                              LocalGrid& grid) {
   const std::vector<perception::Column>& columns = percept.columns;
   if (columns.size() < 2) return;
-  disparity_metre_px_ = kDisparityMetre_px;
+  disparity_metre_px_ = percept.disparity.focal_px * percept.disparity.baseline_m;
   measure_heights(percept);
   const double span = std::abs(wrap_angle(columns.back().bearing_rad - columns[0].bearing_rad));
   const ViewOfImage look{pose, percept.stamp, span / static_cast<double>(columns.size() - 1)};

@@ -68,6 +68,25 @@ TEST_F(Evidence, ALoneWrongColumnDoesNotBlock) {
   for (double x = 1.5; x < 2.5; x += 0.05) EXPECT_NE(at(x, 0.0), CellState::occupied) << x;
 }
 
+TEST_F(Evidence, AWiderBaselinePutsAFarThingMoreExactly) {
+  const auto blocked_depth_cells = [](double baseline_m) {
+    OccupancyUpdater updater{OccupancySettings{}, 1.20};
+    LocalGrid cells;
+    for (int i = 0; i < 12; ++i) {
+      perception::Percept percept = looks::blank_percept(100 * i);
+      percept.disparity.baseline_m = baseline_m;
+      looks::see_thing(percept, 0.0, 0.2, 3.5);
+      updater.write(percept, {}, cells);
+    }
+    int blocked = 0;
+    for (double x = 2.5; x < 4.5; x += LocalGrid::kCell_m) {
+      if (cells.state(LocalGrid::cell_of({x, 0.0})) == CellState::occupied) ++blocked;
+    }
+    return blocked;
+  };
+  EXPECT_GT(blocked_depth_cells(0.06), blocked_depth_cells(0.24));
+}
+
 TEST_F(Evidence, AThinLegBlocks) {
   for (int i = 0; i < 12; ++i) {
     perception::Percept percept = looks::blank_percept(100 * i);

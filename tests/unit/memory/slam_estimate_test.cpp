@@ -59,6 +59,21 @@ TEST(SlamEstimate, GivesASeenLandmarkAPlaceAndMakesItSurer) {
   EXPECT_LT(place.place(kBook)->var_x_m2, 0.5 * first.var_x_m2);
 }
 
+TEST(SlamEstimate, ACameraWithTwiceTheBaselineIsTwiceAsSureOfTheRange) {
+  const auto range_sigma_m = [](double disparity_metre_px) {
+    LocalisationSettings settings;
+    settings.middle_error_m = 0.0;
+    SlamEstimate estimate(settings);
+    estimate.know(kBook, std::nullopt);
+    estimate.start({});
+    LandmarkSighting sighting = look(kBook, {}, {4.0, 0.0});
+    sighting.disparity_metre_px = disparity_metre_px;
+    EXPECT_EQ(estimate.see(sighting, {}), SightingVerdict::placed);
+    return std::sqrt(estimate.place(kBook)->var_x_m2);
+  };
+  EXPECT_NEAR(range_sigma_m(12.2) / range_sigma_m(24.4), 2.0, 1e-6);
+}
+
 TEST(SlamEstimate, ARobotThatStandsAddsNothing) {
   SlamEstimate place({});
   place.know(kBook, std::nullopt);
