@@ -33,6 +33,10 @@ struct Pose2 {
   return std::remainder(angle_rad, 2.0 * kPi);
 }
 
+[[nodiscard]] inline double apart_m(Point2 a, Point2 b) {
+  return std::hypot(a.x_m - b.x_m, a.y_m - b.y_m);
+}
+
 /// A point given in the frame of `pose`, in the frame that `pose` is given in.
 [[nodiscard]] inline Point2 transform(const Pose2& pose, Point2 inner) {
   const double c = std::cos(pose.heading_rad);

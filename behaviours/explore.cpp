@@ -13,10 +13,10 @@ namespace {
 
 constexpr double kThinkEvery_s = 0.5;  // by hand: five cycles, in which it drives 0.2 m
 constexpr double kMissing_s = 1.5;     // by hand: no goal for so long (three searches): look round
-// By hand: no nearer to the goal, by kNearer_m, for so long: leave it; sooner where the robot is
-// there and it is still unknown: then there is nothing to be seen.
+// By hand: no nearer to the goal, by kWorthGoing_m, for so long: leave it; sooner where the robot
+// is there and it is still unknown: then there is nothing to be seen.
 constexpr double kNoNearer_s = 12.0;
-constexpr double kNearer_m = 0.2;
+constexpr double kWorthGoing_m = 0.2;
 constexpr double kAtGoal_m = 0.9;
 constexpr double kAtGoal_s = 3.0;
 constexpr double kSameGoal_m = 1.0;     // by hand: goals nearer to each other are one that wanders
@@ -31,13 +31,9 @@ constexpr double kDwell_s = 0.5;            // by hand: several images in each d
 constexpr int kTurns = 3;                   // a whole turn, by kTurn_rad
 constexpr double kTurn_rad = 2.1;           // three of them are a whole turn
 // By hand: half of the turn rate that the body allows; a third of a turn takes 3.5 s and its end.
-constexpr double kTurn_rad_s = 0.6;
+constexpr double kLookRound_rad_s = 0.6;
 constexpr double kTurnLongest_s = 8.0;
 constexpr double kTurned_rad = 0.06;  // by hand, 3 degrees: a tenth of a second of turning
-
-double apart_m(Point2 a, Point2 b) {
-  return std::hypot(a.x_m - b.x_m, a.y_m - b.y_m);
-}
 
 }  // namespace
 
@@ -148,7 +144,7 @@ Wish Explore::drive(const memory::ShortTermMemory& memory) {
     return standing_wish(memory, "looks for the edge of the map");
   }
   const double left_m = distance_to_m(memory, goal_.place);
-  if (left_m < nearest_m_ - kNearer_m) {
+  if (left_m < nearest_m_ - kWorthGoing_m) {
     nearest_m_ = left_m;
     nearest_at_ = memory.now();
     failures_ = 0;
@@ -207,7 +203,7 @@ Wish Explore::turn(const memory::ShortTermMemory& memory) {
     enter(State::looking, memory);
     return wish;
   }
-  wish.turn_rad_s = std::min(kTurn_rad_s, turn_left_rad_);
+  wish.turn_rad_s = std::min(kLookRound_rad_s, turn_left_rad_);
   return wish;
 }
 

@@ -6,8 +6,8 @@
 namespace striate::behaviours {
 namespace {
 
-constexpr double kThere_rad = 0.05;  // by hand, 3 degrees of the 43 of the view
-constexpr double kLongest_s = 4.0;   // by hand: a head that does not get there is not waited for
+constexpr double kLooksThere_rad = 0.05;  // by hand, 3 degrees of the 43 of the view
+constexpr double kLongestTurn_s = 4.0;  // by hand: a head that does not get there is not waited for
 
 }  // namespace
 
@@ -40,13 +40,13 @@ Wish LookAt::tick(const memory::ShortTermMemory& memory) {
     return there_ ? final_wish(memory, Progress::succeeded, "looked at it until it was forgotten")
                   : final_wish(memory, Progress::failed, "nothing salient to look at");
   }
-  const bool there = std::abs(memory.head().pan_rad - pan_rad_) < kThere_rad;
+  const bool there = std::abs(memory.head().pan_rad - pan_rad_) < kLooksThere_rad;
   if (there && !there_) arrived_ = memory.now();
   there_ = there_ || there;
   if (there_ && to_seconds(memory.now() - arrived_) >= settings_.for_s) {
     return final_wish(memory, Progress::succeeded, "looked there");
   }
-  if (!there_ && to_seconds(memory.now() - started_) > kLongest_s) {
+  if (!there_ && to_seconds(memory.now() - started_) > kLongestTurn_s) {
     return final_wish(memory, Progress::failed, "the head does not get there");
   }
   Wish wish = standing_wish(memory, "looks there");

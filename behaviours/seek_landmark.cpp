@@ -21,7 +21,7 @@ constexpr double kCandidateLongest_s = 4.0;
 // the corridor within 29 degrees.
 constexpr double kEndPath_m = 1.2;
 constexpr double kEnd_s = 3.0;
-constexpr double kAligned_rad = 0.5;
+constexpr double kTurnedTo_rad = 0.5;
 
 }  // namespace
 
@@ -85,7 +85,8 @@ bool SeekLandmark::corridor_ends(const memory::ShortTermMemory& memory) {
   const Path& way = follower_.way();
   const double heading_rad =
       wrap_angle(memory.corridor().axis_rad() + (back_ ? std::numbers::pi : 0.0));
-  const bool turning = std::abs(wrap_angle(memory.pose().heading_rad - heading_rad)) > kAligned_rad;
+  const bool turning =
+      std::abs(wrap_angle(memory.pose().heading_rad - heading_rad)) > kTurnedTo_rad;
   if (turning || (way.found && way.progress_m > kEndPath_m)) open_at_ = memory.now();
   return to_seconds(memory.now() - open_at_) > kEnd_s;
 }

@@ -8,6 +8,7 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "striate/base/user_error.hpp"
+#include "striate/evaluation/images/set_files.hpp"
 
 namespace striate::evaluation {
 namespace {
@@ -15,15 +16,15 @@ namespace {
 namespace fs = std::filesystem;
 
 /// How the files of a layout are named; the second image is number 2.
-struct Layout {
+struct SequenceLayout {
   const char* image;
   const char* homography;
 };
 /// Names of images and homographies: Oxford's and HPatches'
-constexpr Layout kLayouts[] = {{"img{}", "H1to{}p"}, {"{}", "H_1_{}"}};
+constexpr SequenceLayout kSequenceLayouts[] = {{"img{}", "H1to{}p"}, {"{}", "H_1_{}"}};
 
 /// The image of that number; empty where there is none.
-fs::path picture_file(const fs::path& folder, const Layout& layout, int number) {
+fs::path picture_file(const fs::path& folder, const SequenceLayout& layout, int number) {
   for (const char* ending : {"ppm", "pgm", "png", "jpg", "jpeg", "bmp"}) {
     fs::path file =
         folder / (fmt::format(fmt::runtime(layout.image), number) + std::string(".") + ending);
@@ -32,34 +33,18 @@ fs::path picture_file(const fs::path& folder, const Layout& layout, int number) 
   return {};
 }
 
-fs::path homography_file(const fs::path& folder, const Layout& layout, int number) {
+fs::path homography_file(const fs::path& folder, const SequenceLayout& layout, int number) {
   return folder / fmt::format(fmt::runtime(layout.homography), number);
 }
 
-const Layout* layout_of(const fs::path& folder) {
-  for (const Layout& layout : kLayouts) {
+const SequenceLayout* layout_of(const fs::path& folder) {
+  for (const SequenceLayout& layout : kSequenceLayouts) {
     if (!picture_file(folder, layout, 1).empty() && !picture_file(folder, layout, 2).empty() &&
         fs::is_regular_file(homography_file(folder, layout, 2))) {
       return &layout;
     }
   }
   return nullptr;
-}
-
-cv::Mat1b read_grey(const fs::path& file) {
-  cv::Mat1b image = cv::imread(file.string(), cv::IMREAD_GRAYSCALE);
-  if (image.empty()) throw UserError(file.string() + ": cannot be read as an image");
-  return image;
-}
-
-cv::Matx33d read_homography(const fs::path& file) {
-  std::ifstream stream(file);
-  cv::Matx33d homography;
-  for (double& value : homography.val) stream >> value;
-  if (!stream || !std::isfinite(cv::norm(homography)) || cv::determinant(homography) == 0.0) {
-    throw UserError(file.string() + ": not a homography: nine numbers, row by row, are expected");
-  }
-  return homography;
 }
 
 }  // namespace
@@ -85,7 +70,7 @@ std::vector<fs::path> find_homography_sequences(const fs::path& folder) {
 }
 
 HomographySequence read_homography_sequence(const fs::path& folder) {
-  const Layout* layout = layout_of(folder);
+  const SequenceLayout* layout = layout_of(folder);
   if (layout == nullptr) throw UserError(folder.string() + ": not a sequence with homographies");
   HomographySequence sequence;
   sequence.name = fs::absolute(folder).lexically_normal().filename().string();

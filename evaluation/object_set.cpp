@@ -10,6 +10,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "striate/base/user_error.hpp"
+#include "striate/evaluation/images/set_files.hpp"
 
 namespace striate::evaluation {
 namespace {
@@ -18,21 +19,10 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 
 /// Shown where a folder holds no set
-constexpr const char* kLayouts =
+constexpr const char* kObjectLayouts =
     "expected objects/NAME/*.png, scenes/*.png and truth.json ({\"scene\": [\"NAME\", ...]}),\n"
     "or JSK ARC 2017 (objects/NAME/top.jpg, scenes/*.jpg, visual_annotation.json),\n"
     "or pairs NAME.png, NAME_in_scene.png";
-
-cv::Mat1b read_grey(const fs::path& path) {
-  cv::Mat1b grey = cv::imread(path.string(), cv::IMREAD_GRAYSCALE);
-  if (grey.empty()) throw UserError(path.string() + ": cannot be read as an image");
-  return grey;
-}
-
-bool is_image(const fs::path& path) {
-  const std::string end = path.extension().string();
-  return end == ".png" || end == ".jpg" || end == ".jpeg" || end == ".bmp";
-}
 
 /// In the order of their names; a folder that is not there has none.
 std::vector<fs::path> entries(const fs::path& folder, bool folders) {
@@ -140,7 +130,7 @@ ObjectSet read_object_set(const std::string& folder) {
     read_pairs(root, set);
   }
   if (set.objects.empty() || set.scenes.empty()) {
-    throw UserError(fmt::format("{}: no objects and scenes found; {}", folder, kLayouts));
+    throw UserError(fmt::format("{}: no objects and scenes found; {}", folder, kObjectLayouts));
   }
   return set;
 }

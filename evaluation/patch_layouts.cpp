@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "striate/base/user_error.hpp"
+#include "striate/evaluation/images/set_files.hpp"
 
 namespace striate::evaluation {
 namespace {
@@ -21,7 +22,7 @@ constexpr const char* kExpected =
     "H_1_2 ... (HPatches), or info.txt, m50_*.txt and mosaics of patches (Brown/Winder)";
 
 /// Two images of one sequence and what takes the first to the second.
-struct ImagePair {
+struct SequencePair {
   fs::path first, second;
   cv::Matx33d homography;
 };
@@ -33,12 +34,6 @@ std::vector<fs::path> sorted_entries(const fs::path& folder) {
   return entries;
 }
 
-bool is_image(const fs::path& path) {
-  // What OpenCV reads here
-  constexpr const char* kSuffixes[] = {".png", ".ppm", ".pgm", ".bmp", ".jpg", ".jpeg"};
-  return std::ranges::find(kSuffixes, path.extension().string()) != std::end(kSuffixes);
-}
-
 /// The image of that name with any suffix; empty where there is none.
 fs::path image_named(const fs::path& folder, const std::string& stem) {
   for (const fs::path& entry : sorted_entries(folder)) {
@@ -47,25 +42,8 @@ fs::path image_named(const fs::path& folder, const std::string& stem) {
   return {};
 }
 
-cv::Mat1b read_grey(const fs::path& path) {
-  cv::Mat1b image = cv::imread(path.string(), cv::IMREAD_GRAYSCALE);
-  if (image.empty()) throw UserError(fmt::format("{}: no readable image", path.string()));
-  return image;
-}
-
-cv::Matx33d read_homography(const fs::path& path) {
-  std::ifstream file(path);
-  cv::Matx33d h;
-  for (double& value : h.val) {
-    if (!(file >> value)) {
-      throw UserError(fmt::format("{}: expected nine numbers, a homography", path.string()));
-    }
-  }
-  return h;
-}
-
-std::vector<ImagePair> image_pairs(const fs::path& folder) {
-  std::vector<ImagePair> pairs;
+std::vector<SequencePair> image_pairs(const fs::path& folder) {
+  std::vector<SequencePair> pairs;
   for (int k = 2; k <= 9; ++k) {
     for (const auto& [matrix, stem] : {std::pair{fmt::format("H1to{}p", k), std::string("img")},
                                        {fmt::format("H_1_{}", k), ""}}) {
@@ -85,7 +63,7 @@ std::vector<ImagePair> image_pairs(const fs::path& folder) {
 
 /// What one pair of images offers.
 struct Offer {
-  ImagePair pictures;
+  SequencePair pictures;
   std::vector<FramePair> frames;
 };
 
@@ -104,11 +82,11 @@ std::size_t fair_share(const std::vector<Offer>& offers, std::size_t wanted) {
   return low;
 }
 
-PatchSet from_sequences(const std::vector<ImagePair>& pictures, const PatchChoice& choice) {
+PatchSet from_sequences(const std::vector<SequencePair>& pictures, const PatchChoice& choice) {
   std::vector<Offer> offers;
   fs::path seen;
   std::vector<cv::KeyPoint> first;
-  for (const ImagePair& pair : pictures) {
+  for (const SequencePair& pair : pictures) {
     if (pair.first != seen) first = sift_frames(read_grey(pair.first));
     seen = pair.first;
     offers.push_back({pair, frame_pairs(first, sift_frames(read_grey(pair.second)), pair.homography,
@@ -213,7 +191,7 @@ PatchSet load_patches(const std::string& folder, const PatchChoice& choice) {
     throw UserError(fmt::format("{}: no folder; {}", folder, kExpected));
   }
   if (fs::exists(fs::path(folder) / "info.txt")) return from_mosaics(folder, choice);
-  std::vector<ImagePair> pictures = image_pairs(folder);
+  std::vector<SequencePair> pictures = image_pairs(folder);
   for (const fs::path& entry : sorted_entries(folder)) {
     if (!fs::is_directory(entry)) continue;
     const auto more = image_pairs(entry);

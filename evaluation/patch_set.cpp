@@ -6,10 +6,10 @@
 namespace striate::evaluation {
 namespace {
 
-constexpr int kPatches = kMosaicPatches * kMosaicPatches;  // in one mosaic
+constexpr int kPatchesPerMosaic = kMosaicPatches * kMosaicPatches;  // in one mosaic
 
 cv::Rect place(int number) {
-  const int within = number % kPatches;
+  const int within = number % kPatchesPerMosaic;
   return {within % kMosaicPatches * kPatchSide_px, within / kMosaicPatches * kPatchSide_px,
           kPatchSide_px, kPatchSide_px};
 }
@@ -21,7 +21,7 @@ int PatchSet::add(const cv::Mat1b& patch) {
     throw std::invalid_argument("PatchSet: a patch must have 64x64 px");
   }
   const int number = count++;
-  if (number % kPatches == 0) {
+  if (number % kPatchesPerMosaic == 0) {
     const int side_px = kMosaicPatches * kPatchSide_px;
     mosaics.emplace_back(side_px, side_px, std::uint8_t{128});
   }
@@ -30,7 +30,7 @@ int PatchSet::add(const cv::Mat1b& patch) {
 }
 
 cv::Mat1b PatchSet::patch(int number) const {
-  return mosaics.at(static_cast<std::size_t>(number / kPatches))(place(number));
+  return mosaics.at(static_cast<std::size_t>(number / kPatchesPerMosaic))(place(number));
 }
 
 cv::Point2f patch_centre_px(int number) {

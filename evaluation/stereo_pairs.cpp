@@ -9,6 +9,7 @@
 
 #include "striate/base/user_error.hpp"
 #include "striate/evaluation/images/pfm.hpp"
+#include "striate/evaluation/images/set_files.hpp"
 
 namespace striate::evaluation {
 namespace {
@@ -59,12 +60,6 @@ void look_into(const fs::path& folder, StereoFolders& found) {
     found.skipped.push_back(folder.string());
     return;
   }
-}
-
-cv::Mat1b read_grey(const fs::path& path) {
-  const cv::Mat1b grey = cv::imread(path.string(), cv::IMREAD_GRAYSCALE);
-  if (grey.empty()) throw UserError(path.string() + ": not an image that can be read");
-  return grey;
 }
 
 cv::Mat1f read_truth(const fs::path& path, double per_px) {

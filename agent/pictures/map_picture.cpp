@@ -9,8 +9,8 @@ namespace {
 
 constexpr double kReach_m = 5.0;  // m to each side: where the next seconds of driving are (ours)
 const cv::Vec3b kUnknown(78, 74, 70);
-const cv::Vec3b kFree(176, 214, 178);
-const cv::Vec3b kOccupied(40, 36, 160);
+const cv::Vec3b kFreeCell(176, 214, 178);
+const cv::Vec3b kOccupiedCell(40, 36, 160);
 const cv::Scalar kWall(220, 140, 40);
 const cv::Scalar kTrajectory(200, 90, 20);
 const cv::Scalar kRobot(30, 30, 30);
@@ -27,8 +27,8 @@ class MapPicture {
         const memory::GridCell cell =
             memory::LocalGrid::cell_of(transform(memory_.pose(), at(u, v)));
         const memory::CellState state = memory_.map().state(cell);
-        if (state == memory::CellState::free) image_(v, u) = kFree;
-        if (state == memory::CellState::occupied) image_(v, u) = kOccupied;
+        if (state == memory::CellState::free) image_(v, u) = kFreeCell;
+        if (state == memory::CellState::occupied) image_(v, u) = kOccupiedCell;
       }
     }
   }

@@ -15,10 +15,10 @@
 namespace striate::agent::pictures {
 namespace {
 
-constexpr int kTile_px = 320;     // px: a view's longer side; three tiles fill the map's width
-constexpr int kTilesInRow = 3;    // as wide as the map below
-constexpr int kMapSide_px = 900;  // px: fits a full HD screen's height
-constexpr int kMargin_px = 50;    // px around the map: labels at the border fit
+constexpr int kTile_px = 320;      // px: a view's longer side; three tiles fill the map's width
+constexpr int kTilesInRow = 3;     // as wide as the map below
+constexpr int kMapSide_px = 900;   // px: fits a full HD screen's height
+constexpr int kMapMargin_px = 50;  // px around the map: labels at the border fit
 
 cv::Mat3b draw_view(const memory::StoredView& view) {
   cv::Mat3b image;
@@ -55,8 +55,8 @@ struct Frame {
   cv::Size size;
 
   [[nodiscard]] cv::Point at(double x_m, double y_m) const {
-    return {kMargin_px + static_cast<int>(std::lround((x_m - left_m) * px_per_m)),
-            kMargin_px + static_cast<int>(std::lround((top_m - y_m) * px_per_m))};
+    return {kMapMargin_px + static_cast<int>(std::lround((x_m - left_m) * px_per_m)),
+            kMapMargin_px + static_cast<int>(std::lround((top_m - y_m) * px_per_m))};
   }
 };
 
@@ -81,9 +81,9 @@ Frame frame_around(const std::vector<memory::Landmark>& landmarks,
   Frame frame;
   frame.left_m = left->x;
   frame.top_m = high->y;
-  frame.px_per_m = (kMapSide_px - 2 * kMargin_px) / std::max(width_m, height_m);
-  frame.size = {2 * kMargin_px + static_cast<int>(width_m * frame.px_per_m) + 1,
-                2 * kMargin_px + std::max(60, static_cast<int>(height_m * frame.px_per_m)) + 1};
+  frame.px_per_m = (kMapSide_px - 2 * kMapMargin_px) / std::max(width_m, height_m);
+  frame.size = {2 * kMapMargin_px + static_cast<int>(width_m * frame.px_per_m) + 1,
+                2 * kMapMargin_px + std::max(60, static_cast<int>(height_m * frame.px_per_m)) + 1};
   return frame;
 }
 
@@ -154,7 +154,7 @@ cv::Mat3b draw_memory_map(const std::vector<memory::Landmark>& landmarks,
     cv::circle(map, places[landmark.id], 4, kFree, cv::FILLED, cv::LINE_AA);
     write_label(map, landmark.name, places[landmark.id] + cv::Point(7, -7), kInk);
   }
-  const cv::Point origin(kMargin_px, frame.size.height - 16);
+  const cv::Point origin(kMapMargin_px, frame.size.height - 16);
   cv::line(map, origin, origin + cv::Point(static_cast<int>(frame.px_per_m), 0), kInk, 2);
   write(map, "1 m", origin + cv::Point(4, -6), kInk);
   return map;

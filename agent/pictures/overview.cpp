@@ -15,17 +15,17 @@
 namespace striate::agent::pictures {
 namespace {
 
-constexpr int kGap = 10;     // px between tiles (ours)
-constexpr int kTitle = 24;   // px above a tile: a line of text (ours)
-constexpr int kFoot = 42;    // room below the sheet's tiles, for legend and facts
-constexpr int kColumns = 3;  // tiles in a row: fills a screen of 16:9 (ours)
+constexpr int kTileGap_px = 10;  // px between tiles (ours)
+constexpr int kTitle = 24;       // px above a tile: a line of text (ours)
+constexpr int kFoot = 42;        // room below the sheet's tiles, for legend and facts
+constexpr int kColumns = 3;      // tiles in a row: fills a screen of 16:9 (ours)
 
 class Sheet {
  public:
   explicit Sheet(cv::Size tile)
       : tile_(tile),
-        image_(2 * (kTitle + tile.height + kGap) + kGap + kFoot,
-               kColumns * (tile.width + kGap) + kGap,
+        image_(2 * (kTitle + tile.height + kTileGap_px) + kTileGap_px + kFoot,
+               kColumns * (tile.width + kTileGap_px) + kTileGap_px,
                cv::Vec3b(static_cast<uchar>(kBackground[0]), static_cast<uchar>(kBackground[1]),
                          static_cast<uchar>(kBackground[2]))) {}
 
@@ -37,8 +37,9 @@ class Sheet {
     write(image_, note, {x, at.y - 8}, kQuietInk, 0.85);
   }
   [[nodiscard]] cv::Point corner(int index) const {
-    return {kGap + index % kColumns * (tile_.width + kGap),
-            kGap + kTitle + index / kColumns * (kTitle + tile_.height + kGap) - kGap / 2};
+    return {kTileGap_px + index % kColumns * (tile_.width + kTileGap_px),
+            kTileGap_px + kTitle + index / kColumns * (kTitle + tile_.height + kTileGap_px) -
+                kTileGap_px / 2};
   }
   [[nodiscard]] int foot() const { return image_.rows - kFoot + 2; }
   cv::Mat3b& image() { return image_; }

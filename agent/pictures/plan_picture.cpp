@@ -20,7 +20,7 @@ constexpr double kAround_m = 0.45;    // m around the corridor: walls and labels
 constexpr int kTitle_px = 46;         // px: a line of text and its gap
 constexpr int kLegend_px = 40;        // px: a line of text and its gap
 constexpr int kLeastWidth_px = 1110;  // the legend needs it
-const cv::Scalar kInk(60, 50, 45);
+const cv::Scalar kPlanInk(60, 50, 45);
 const cv::Scalar kObstacle(90, 125, 170);
 const cv::Scalar kPeople(190, 120, 60);
 const cv::Scalar kNear(0, 140, 255);
@@ -76,20 +76,21 @@ class Strip {
         image_(block).setTo(cv::Scalar(grey, grey, grey), inside(block));
       }
     }
-    for (const simulator::WallSegment& wall : plan.walls) line(wall.from, wall.to, kInk, 3);
+    for (const simulator::WallSegment& wall : plan.walls) line(wall.from, wall.to, kPlanInk, 3);
   }
 
   void shape(const simulator::ConvexShape& shape, const cv::Scalar& colour) {
     if (shape.corners.size() < 3) {
       cv::circle(image_, pixel(shape.corners.front()), px(shape.radius_m), colour, cv::FILLED,
                  cv::LINE_AA);
-      cv::circle(image_, pixel(shape.corners.front()), px(shape.radius_m), kInk, 1, cv::LINE_AA);
+      cv::circle(image_, pixel(shape.corners.front()), px(shape.radius_m), kPlanInk, 1,
+                 cv::LINE_AA);
       return;
     }
     std::vector<cv::Point> corners;
     for (const Point2& corner : shape.corners) corners.push_back(pixel(corner));
     cv::fillConvexPoly(image_, corners, colour, cv::LINE_AA);
-    cv::polylines(image_, corners, true, kInk, 1, cv::LINE_AA);
+    cv::polylines(image_, corners, true, kPlanInk, 1, cv::LINE_AA);
   }
 
   void line(Point2 from, Point2 to, const cv::Scalar& colour, int thickness) {
@@ -143,7 +144,7 @@ void draw_world(Strip& strip, const simulator::World& world, const FloorPlan& pl
   for (const simulator::StaticShape& thing : simulator::standing_shapes(world, plan)) {
     strip.shape(thing.shape, kObstacle);
     strip.text({thing.middle.x_m, thing.middle.y_m + (thing.middle.y_m > 0 ? -0.55 : 0.5)},
-               thing.name, kInk);
+               thing.name, kPlanInk);
   }
   for (const double along_m : {world.start.x_m, world.goal_beyond_m}) {
     const Pose2 left = plan.at(along_m, 1.2);
@@ -185,7 +186,7 @@ void draw_run(Strip& strip, const simulator::Judge& judge, const FloorPlan& plan
 
 void draw_legend(cv::Mat3b row) {
   const auto put = [&](int u, const std::string& words) {
-    cv::putText(row, words, {u, 26}, cv::FONT_HERSHEY_SIMPLEX, 0.46, kInk, 1, cv::LINE_AA);
+    cv::putText(row, words, {u, 26}, cv::FONT_HERSHEY_SIMPLEX, 0.46, kPlanInk, 1, cv::LINE_AA);
   };
   for (int i = 0; i < 120; ++i) {
     cv::line(row, {16 + i, 16}, {16 + i, 26}, colour_of_speed(0.6 * i / 120.0), 1);
@@ -212,7 +213,7 @@ cv::Mat3b draw_plan(const simulator::World& world, const FloorPlan& plan,
   const double strip_m = std::min(length_m, kStrip_m);
   const int width = std::max(kLeastWidth_px, static_cast<int>((strip_m + 2 * kAround_m) * kScale));
   cv::Mat3b image(kTitle_px, width, cv::Vec3b(250, 250, 250));
-  cv::putText(image, title, {16, 32}, cv::FONT_HERSHEY_SIMPLEX, 0.62, kInk, 1, cv::LINE_AA);
+  cv::putText(image, title, {16, 32}, cv::FONT_HERSHEY_SIMPLEX, 0.62, kPlanInk, 1, cv::LINE_AA);
   for (int i = 0; i < strips; ++i) {
     const double from_x_m = all.low_x_m + i * kStrip_m - kAround_m;
     const Bounds box = bounds_of(plan, from_x_m, from_x_m + strip_m + 2 * kAround_m);

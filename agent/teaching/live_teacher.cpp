@@ -11,7 +11,7 @@
 namespace striate::agent {
 namespace {
 
-constexpr int kJpegQuality = 90;  // of 100: so mild that no blocks are seen (ours)
+constexpr int kViewJpegQuality = 90;  // of 100: so mild that no blocks are seen (ours)
 
 }  // namespace
 
@@ -33,7 +33,7 @@ memory::StoredView stored_view(const cv::Mat3b& left, const perception::ThingReg
     view.descriptors.push_back(memory::stored(seen.descriptors[k]));
   }
   cv::imencode(".jpg", left(perception::full_size_box(thing, left.size())), view.image,
-               {cv::IMWRITE_JPEG_QUALITY, kJpegQuality});
+               {cv::IMWRITE_JPEG_QUALITY, kViewJpegQuality});
   return view;
 }
 

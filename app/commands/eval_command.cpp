@@ -7,14 +7,14 @@
 namespace striate::app {
 namespace {
 
-struct Kind {
+struct EvaluationKind {
   const char* name;
   const char* help;  ///< what is measured, and the layout of the folder
   int (*evaluate)(const evaluation::EvalOptions&);
 };
 
 /// What can be measured; each has its own file in evaluation/.
-constexpr Kind kKinds[] = {
+constexpr EvaluationKind kEvaluations[] = {
     {"stereo",
      "Disparities at 160x120 and 320x240, clean and disturbed, beside StereoBM and StereoSGBM.\n"
      "Folders in or below the given one that hold imL.png, imR.png, groundtruth.png (4 per px),\n"
@@ -49,7 +49,7 @@ void add_eval_command(CLI::App& app, int& exit_code) {
       "Measures the vision on your own data, beside OpenCV's methods in the same run;\n"
       "prints a table and writes it as CSV and as a plot (SVG).");
   command->require_subcommand(1);
-  for (const Kind& kind : kKinds) {
+  for (const EvaluationKind& kind : kEvaluations) {
     auto options = std::make_shared<evaluation::EvalOptions>();
     options->out = std::string("out/eval_") + kind.name;
     CLI::App* one = command->add_subcommand(kind.name, kind.help);

@@ -32,10 +32,6 @@ constexpr double kLeastWay_m = 0.3;  // by hand: three squares; nearer, there is
 // The root of two to nine digits: a diagonal step. With more digits runs would differ.
 constexpr double kDiagonal = 1.41421356;
 
-double apart_m(Point2 a, Point2 b) {
-  return std::hypot(a.x_m - b.x_m, a.y_m - b.y_m);
-}
-
 }  // namespace
 
 std::size_t KnownFloor::index(Point2 odometry) {

@@ -25,10 +25,6 @@ constexpr double kOnTrajectory_m = 1.0;  // by hand: four crumbs; so near is the
 constexpr double kEasing_m_s2 = 0.25;
 constexpr double kLeast_m_s = 0.12;
 
-double apart_m(Point2 a, Point2 b) {
-  return std::hypot(a.x_m - b.x_m, a.y_m - b.y_m);
-}
-
 /// The crumb where the robot is. Where it has passed more than once, the one next to `to`.
 std::size_t crumb_here(const memory::Trajectory& trajectory, Point2 here, std::size_t to) {
   std::size_t best = trajectory.nearest(here);

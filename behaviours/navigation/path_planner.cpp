@@ -32,7 +32,7 @@ constexpr double kSqueeze_m = 0.15;
 constexpr double kOffLinePrice = 0.30;
 constexpr double kOffLineMost = 1.2;
 // Times the price within 0.3 m (3 cells) of the way chosen before: Planning.KeepsTheSideItChose.
-constexpr double kHabit = 0.80;
+constexpr double kPathHabit = 0.80;
 constexpr int kHabitReach = 3;
 // Round the robot nothing is closed, it stands there: its circle about the axle, 0.37 m, in
 // patches.
@@ -42,7 +42,7 @@ constexpr double kLeastAdvance_m = 0.45;  // by hand: a way that gets less far i
 // Price that a metre of advance may cost: above unknown floor (2.4), below no margin at all (6).
 constexpr float kProgressWorth = 5.0F;
 // The root of two to nine digits: a diagonal step. With more digits runs would differ.
-constexpr double kDiagonal = 1.41421356;
+constexpr double kDiagonalStep = 1.41421356;
 
 }  // namespace
 
@@ -122,7 +122,7 @@ float PathPlanner::price_of(const FloorField& field, const PlanRequest& request,
   if (margin_m < kSqueeze_m && edge_m < 0.0) price += kSqueezePrice;
   const double off_m = inner.y_m - request.wanted_left_m;
   price += std::min(kOffLineMost, kOffLinePrice * off_m * off_m);
-  if (chosen_[static_cast<std::size_t>(node)] != 0) price *= kHabit;
+  if (chosen_[static_cast<std::size_t>(node)] != 0) price *= kPathHabit;
   return static_cast<float>(price);
 }
 
@@ -138,7 +138,7 @@ void PathPlanner::relax(int node, float cost, int along, int aside) {
   const float price = price_[static_cast<std::size_t>(next)];
   if (price < 0.0F) return;
   const bool diagonal = along != node / kWide && aside != node % kWide;
-  const auto length_m = static_cast<float>(diagonal ? kStep_m * kDiagonal : kStep_m);
+  const auto length_m = static_cast<float>(diagonal ? kStep_m * kDiagonalStep : kStep_m);
   const float total =
       cost + 0.5F * length_m * (price + std::max(0.0F, price_[static_cast<std::size_t>(node)]));
   if (total >= cost_[static_cast<std::size_t>(next)]) return;

@@ -44,7 +44,7 @@ constexpr std::array<double, 11> kTurnOffsets{0.0,  0.08, -0.08, 0.18, -0.18, 0.
 constexpr std::array<double, 3> kSpeedShares{1.0, 0.6, 0.3};
 // By hand: what an arc costs beside its offset in rad/s, for no room left, an edge of seen floor at
 // the flank, and all speed given up.
-constexpr double kCrowdingPrice = 0.8;
+constexpr double kCrowdedArc = 0.8;
 constexpr double kEdgingPrice = 0.7;
 constexpr double kSlownessPrice = 0.5;
 
@@ -150,7 +150,7 @@ Drive Steering::follow(const Path& way, const FloorField& field, const Pose2& ro
       const double edge_m = footprint_.seen_clearance_m(field, end);
       if (!limits.daring && clear_m < kSqueezed_m && edge_m <= 0.0) continue;
       const double edging = std::max(0.0, 1.0 - edge_m / wanted_clearance_m_);
-      const double score = std::abs(offset) + kCrowdingPrice * crowding * crowding +
+      const double score = std::abs(offset) + kCrowdedArc * crowding * crowding +
                            kEdgingPrice * edging + kSlownessPrice * (1.0 - share);
       if (score < least) {
         least = score;

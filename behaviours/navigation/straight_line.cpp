@@ -14,13 +14,13 @@ constexpr double kBlockedAfter_s = 5.0;  // by hand: no farther for so long
 constexpr double kWaitsAfter_s = 2.0;    // by hand: says so before it gives up
 // By hand: eased with 60 % of the body's deceleration, to a speed below it by more than a cycle
 // takes off (0.03 m/s), but no slower than the last.
-constexpr double kEasing_m_s2 = 0.3;
+constexpr double kLineEasing_m_s2 = 0.3;
 constexpr double kEasedBelow_m_s = 0.05;
-constexpr double kLeast_m_s = 0.04;
+constexpr double kLineLeast_m_s = 0.04;
 // By hand, back onto the line: turn rate per radian off its direction, per metre aside, and most.
 constexpr double kHeadingGain_1_s = 1.5;
 constexpr double kAsideGain_rad_m_s = 1.0;
-constexpr double kMostTurn_rad_s = 0.5;
+constexpr double kLineTurn_rad_s = 0.5;
 
 }  // namespace
 
@@ -45,11 +45,11 @@ Wish StraightLine::tick(const memory::ShortTermMemory& memory) {
   }
   Wish wish = standing_wish(memory, sign > 0.0 ? "drives straight" : "backs up");
   const double eased =
-      std::max(kLeast_m_s, std::sqrt(2.0 * kEasing_m_s2 * left_m) - kEasedBelow_m_s);
+      std::max(kLineLeast_m_s, std::sqrt(2.0 * kLineEasing_m_s2 * left_m) - kEasedBelow_m_s);
   wish.forward_m_s = sign * std::min(std::abs(speed_m_s_), eased);
   const double aside = sign * moved.y_m;  // steer back onto the line, also when driving back
   wish.turn_rad_s = std::clamp(-kHeadingGain_1_s * moved.heading_rad - kAsideGain_rad_m_s * aside,
-                               -kMostTurn_rad_s, kMostTurn_rad_s);
+                               -kLineTurn_rad_s, kLineTurn_rad_s);
   if (to_seconds(memory.now() - farthest_at_) > kWaitsAfter_s)
     wish.why = "waits: something is in the way";
   return wish;

@@ -20,8 +20,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kSmallestImage_px = 16;  ///< px: a V1 kernel is 15 wide
-constexpr double kMostPixels = 40e6;   ///< above any camera here; memory stays below 1 GB
+constexpr int kSmallestImage_px = 16;      ///< px: a V1 kernel is 15 wide
+constexpr double kMostImagePixels = 40e6;  ///< above any camera here; memory stays below 1 GB
 constexpr std::uintmax_t kMostBytes = 400U << 20;  ///< 40 million pixels of four times 16 bits
 constexpr double kLongestShape = 20.0;  ///< width / height: more leaves no row at the working size
 
@@ -60,7 +60,7 @@ void check_size(const fs::path& file, std::int64_t width_px, std::int64_t height
     throw UserError(
         fmt::format("{}; at least {} x {} are needed", is, kSmallestImage_px, kSmallestImage_px));
   }
-  if (static_cast<double>(width_px) * static_cast<double>(height_px) > kMostPixels) {
+  if (static_cast<double>(width_px) * static_cast<double>(height_px) > kMostImagePixels) {
     throw UserError(is + "; at most 40 million pixels are taken: scale it");
   }
   if (static_cast<double>(longer) > kLongestShape * static_cast<double>(shorter)) {

@@ -61,8 +61,8 @@ LandmarkTable::LandmarkTable(SQLite::Database& database)
            "INSERT INTO landmark (x_m, y_m, var_x_m2, cov_xy_m2, var_y_m2, strength, uses, "
            "first_use_s, recent_uses_s, pinned, retired_s, retired_why, session, name, kind) "
            "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"),
-      find_(database, std::string(kSelect) + "WHERE name = ?"),
-      all_(database, std::string(kSelect) + "WHERE ? OR retired_s IS NULL ORDER BY name"),
+      find_(database, std::string(kSelect).append("WHERE name = ?")),
+      all_(database, std::string(kSelect).append("WHERE ? OR retired_s IS NULL ORDER BY name")),
       update_(database,
               "UPDATE landmark SET x_m = ?, y_m = ?, var_x_m2 = ?, cov_xy_m2 = ?, var_y_m2 = ?, "
               "strength = ?, uses = ?, first_use_s = ?, recent_uses_s = ?, pinned = ?, "

@@ -6,7 +6,7 @@
 namespace striate::memory {
 namespace {
 
-constexpr double kStep_m = LocalGrid::kCell_m;
+constexpr double kRayStep_m = LocalGrid::kCell_m;
 // "By hand": README.md, "Where the numbers come from"; the tests are Evidence.*.
 
 constexpr double kBlobDepth_m = 0.4;  // by hand: a column nearer to a blob than this is part of it
@@ -142,7 +142,7 @@ void OccupancyUpdater::gather_past(const perception::Column& column, const ViewO
   const double dx = std::cos(angle);
   const double dy = std::sin(angle);
   const auto weight = static_cast<float>(column.free_confidence);
-  for (double r = kPastFrom_m; r < std::min(column.free_from_m, settings_.far_m); r += kStep_m) {
+  for (double r = kPastFrom_m; r < std::min(column.free_from_m, settings_.far_m); r += kRayStep_m) {
     const GridCell cell = LocalGrid::cell_of({look.pose.x_m + r * dx, look.pose.y_m + r * dy});
     Mass& mass = touch(cell);
     mass.past += weight;
@@ -157,7 +157,7 @@ void OccupancyUpdater::gather_free(const perception::Column& column, const ViewO
   const double dx = std::cos(angle);
   const double dy = std::sin(angle);
   const auto weight = static_cast<float>(column.free_confidence);
-  for (double r = std::max(0.0, column.free_from_m); r < to_m; r += kStep_m) {
+  for (double r = std::max(0.0, column.free_from_m); r < to_m; r += kRayStep_m) {
     touch(LocalGrid::cell_of({look.pose.x_m + r * dx, look.pose.y_m + r * dy})).free += weight;
   }
 }
@@ -173,9 +173,9 @@ void OccupancyUpdater::gather_occupied(const perception::Column& column, double 
   const double angle = look.pose.heading_rad + column.bearing_rad;
   const double dx = std::cos(angle);
   const double dy = std::sin(angle);
-  const int steps = static_cast<int>(std::ceil(kSpreadSigmas * sigma_m / kStep_m));
+  const int steps = static_cast<int>(std::ceil(kSpreadSigmas * sigma_m / kRayStep_m));
   for (int k = -steps; k <= steps; ++k) {
-    const double offset_m = k * kStep_m;
+    const double offset_m = k * kRayStep_m;
     const double weight = peak * std::exp(-0.5 * offset_m * offset_m / (sigma_m * sigma_m));
     const double r = column.obstacle_m + offset_m;
     if (r <= 0.0 || weight < kLeastWeight) continue;
@@ -191,7 +191,7 @@ void OccupancyUpdater::settle(GridCell cell, const Mass& mass, const ViewOfImage
   const double distance_m = std::hypot(centre.x_m - look.pose.x_m, centre.y_m - look.pose.y_m);
   // How many columns a cell at this distance can meet; a full look is all of them.
   const double meeting =
-      std::max(1.0, kStep_m / (std::max(distance_m, kNearest_m) * look.column_rad));
+      std::max(1.0, kRayStep_m / (std::max(distance_m, kNearest_m) * look.column_rad));
   const double occupied = std::min(1.0, mass.occupied / meeting);
   // A thin thing fills a part of its cell; the rest of the columns pass beside it.
   const double beside = std::max(0.0, 1.0 - kHidesBeside * occupied);

@@ -5,14 +5,6 @@
 #include <limits>
 
 namespace striate::memory {
-namespace {
-
-double apart_m(Point2 a, Point2 b) {
-  return std::hypot(a.x_m - b.x_m, a.y_m - b.y_m);
-}
-
-}  // namespace
-
 void Trajectory::walk(const Pose2& here) {
   const Point2 place{here.x_m, here.y_m};
   if (count_ == 0) start_ = here;

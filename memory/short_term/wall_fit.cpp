@@ -10,16 +10,16 @@ namespace {
 
 // "By hand": README.md, "Where the numbers come from"; the tests are WallFitter.*.
 
-constexpr double kAhead_m = 5.0;     // by hand: within 5.5 m, beyond which a look says nothing
-constexpr double kNearest_m = 0.35;  // by hand: a wall this near to the axle is at the flank
-constexpr double kBin_m = 0.05;      // a patch of the map, LocalGrid::kCell_m
-constexpr int kBins = 56;            // up to 3.15 m: the shipped corridors are 5.0 m wide at most
+constexpr double kAhead_m = 5.0;         // by hand: within 5.5 m, beyond which a look says nothing
+constexpr double kNearestWall_m = 0.35;  // by hand: a wall this near to the axle is at the flank
+constexpr double kBin_m = 0.05;          // a patch of the map, LocalGrid::kCell_m
+constexpr int kBins = 56;  // up to 3.15 m: the shipped corridors are 5.0 m wide at most
 // Pieces that hold anything are the 64 bits of a number: from -7.5 m to 8.5 m. With kAhead_m and
 // the map's half side no place lies farther than 6 m along.
 constexpr double kPiece_m = 0.25;
 constexpr double kPiecesFrom_m = 7.5;
-constexpr double kSolid = 0.7;  // by hand: share of a wall's length that must be there
-constexpr float kStill = 0.2F;  // as in evidence.cpp: 0 still .. 1 moving
+constexpr double kSolid = 0.7;      // by hand: share of a wall's length that must be there
+constexpr float kWallStill = 0.2F;  // as in evidence.cpp: 0 still .. 1 moving
 // 9 degrees to each side, more than the gate of CorridorMemory (kHeadingGate_rad, 6.9 degrees).
 constexpr int kTurns = 12;
 constexpr double kTurn_rad = 0.0131;  // 0.75 degrees: a patch in 3.8 m
@@ -45,7 +45,7 @@ bool solid(const Bin& a, const Bin& b, const Bin& c) {
 }
 
 bool still_thing(const LocalGrid& grid, GridCell cell) {
-  return grid.state(cell) == CellState::occupied && grid.moving(cell) <= kStill;
+  return grid.state(cell) == CellState::occupied && grid.moving(cell) <= kWallStill;
 }
 
 bool edge_of_floor(const LocalGrid& grid, GridCell cell) {
@@ -82,7 +82,7 @@ WallFitter::Line WallFitter::strongest(double turn_rad, double side) const {
   const double c = std::cos(turn_rad);
   const double s = std::sin(turn_rad);
   for (const Point2& place : standing_) {
-    const double off_m = side * (c * place.y_m - s * place.x_m) - kNearest_m;
+    const double off_m = side * (c * place.y_m - s * place.x_m) - kNearestWall_m;
     if (off_m < 0.0 || off_m >= kBins * kBin_m) continue;
     Bin& bin = bins[static_cast<std::size_t>(off_m / kBin_m)];
     const auto along_m = static_cast<float>(c * place.x_m + s * place.y_m);
@@ -102,7 +102,7 @@ WallFitter::Line WallFitter::strongest(double turn_rad, double side) const {
     if (score <= best.score || sum < kLeastScore || length_m < kLeastLength_m) continue;
     if (!solid(bins[i - 1], bins[i], bins[i + 1])) continue;
     const double shift = (bins[i + 1].cells - bins[i - 1].cells) / sum;
-    best = {score, kNearest_m + (static_cast<double>(i) + 0.5 + shift) * kBin_m, true};
+    best = {score, kNearestWall_m + (static_cast<double>(i) + 0.5 + shift) * kBin_m, true};
   }
   return best;
 }

@@ -9,12 +9,13 @@ namespace striate::perception {
 namespace {
 
 /// Confidence: all promises (0.5 and more) pass; of scores of 0.4 73 % are right (confidence_fit)
-constexpr double kTrusted = 0.4;
+constexpr double kProfileTrusted = 0.4;
 /// Above the floor: what one px of disparity is worth in height 3 m away (1.2 m / 8.1 px)
-constexpr double kLowest_m = 0.15;
-constexpr double kHighest_m = 2.6;  // just below the ceiling of the shipped corridors (2.7 m)
+constexpr double kProfileLowest_m = 0.15;
+constexpr double kProfileHighest_m =
+    2.6;  // just below the ceiling of the shipped corridors (2.7 m)
 /// Beyond, one pixel of disparity is more than 1.7 m (Z^2 / f B at width 160)
-constexpr double kFarthest_m = 6.5;
+constexpr double kProfileFarthest_m = 6.5;
 constexpr double kNearest_m = 0.25;  // no wall passes through the robot, whose radius is 0.25 m
 /// The distance error of one px 1.1 m away (Z^2 / f B at width 160)
 constexpr double kSideBin_m = 0.05;
@@ -24,13 +25,13 @@ constexpr int kSideBins = 80;  // per side: kFarthestSide_m / kSideBin_m
 /// Along the wall; a depth error at 2.5 m, where one px is 0.26 m
 constexpr double kAlongCell_m = 0.25;
 constexpr double kUpCell_m = 0.3;  // upwards; a height error at 6 m, where one px is 0.3 m
-constexpr int kAlongCells = 32;    // 8 m: beyond kFarthest_m nothing is collected
-constexpr int kUpCells = 9;        // 2.7 m: up to above kHighest_m
+constexpr int kAlongCells = 32;    // 8 m: beyond kProfileFarthest_m nothing is collected
+constexpr int kUpCells = 9;        // 2.7 m: up to above kProfileHighest_m
 /// Bins to either side that are the same wall: 0.25 m in all, a depth error at 2.5 m
 constexpr int kWindow = 2;
 /// Cells of 0.075 m2: about 1 m2 of wall, more than a box or a person shows (ours)
 constexpr double kLeastStructure = 14.0;
-constexpr double kLeastAlong_m = 1.0;  // longer than a chair or a person is deep (ours)
+constexpr double kProfileLeastAlong_m = 1.0;  // longer than a chair or a person is deep (ours)
 /// Of the strongest: a wall half hidden by furniture still shows half of itself (ours)
 constexpr double kNearlyMost = 0.5;
 
@@ -69,7 +70,7 @@ Wall strongest_wall(const Profile& profile, const std::vector<float>& sides) {
   for (int bin = 0; bin < kSideBins; ++bin) {
     const Cells cells = window_cells(profile, bin);
     along_m[bin] = length_along(cells);
-    if (along_m[bin] < kLeastAlong_m) continue;
+    if (along_m[bin] < kProfileLeastAlong_m) continue;
     structure[bin] = static_cast<double>(cells.count());
     most = std::max(most, structure[bin]);
   }
@@ -95,13 +96,13 @@ Wall strongest_wall(const Profile& profile, const std::vector<float>& sides) {
 
 std::vector<SpacePoint> collect_wall_points(const DisparityMap& map, const ViewGeometry& geometry) {
   std::vector<SpacePoint> points;
-  const double least_px = geometry.focal_baseline() / kFarthest_m;
+  const double least_px = geometry.focal_baseline() / kProfileFarthest_m;
   for (int v = 0; v < map.disparity_px.rows; ++v) {
     for (int u = (v & 1); u < map.disparity_px.cols; u += 2) {  // half of them, as a checkerboard
       const float d = map.disparity_px(v, u);
-      if (!(map.confidence(v, u) >= kTrusted) || !std::isfinite(d) || d < least_px) continue;
+      if (!(map.confidence(v, u) >= kProfileTrusted) || !std::isfinite(d) || d < least_px) continue;
       const SpacePoint p = geometry.point(u, v, d);
-      if (p.z_m > kLowest_m && p.z_m < kHighest_m) points.push_back(p);
+      if (p.z_m > kProfileLowest_m && p.z_m < kProfileHighest_m) points.push_back(p);
     }
   }
   return points;

@@ -15,8 +15,8 @@ using pooling_kernels::kWindowSide_px;
 /// A frame's diameter, px, where it is looked at; half the resolution lost nothing (patches)
 constexpr double kPixelsPerSize = 2.0;
 /// Window pixels before the place: 5.35 px of radius, and the taps of sigma 1.25 px
-constexpr int kBefore_px = 11;
-constexpr int kReach_px = kWindowSide_px - kBefore_px;  ///< more than behind it
+constexpr int kBeforeKeypoint_px = 11;
+constexpr int kReach_px = kWindowSide_px - kBeforeKeypoint_px;  ///< more than behind it
 constexpr int kParts = 16;           ///< of a pixel: places are rounded by at most 1/32 px
 constexpr double kTapSum = 32768.0;  ///< 1 in fixed point: 16 bits hold a signed product's 15
 
@@ -172,7 +172,8 @@ void StriateDescriber::visit(std::span<const DescribedFrame> frames, See see) {
       if (levels_[k] != level) continue;
       const double u = field.u_of(frames[k].u_px);
       const double v = field.v_of(frames[k].v_px);
-      const int left = static_cast<int>(u) - kBefore_px, top = static_cast<int>(v) - kBefore_px;
+      const int left = static_cast<int>(u) - kBeforeKeypoint_px,
+                top = static_cast<int>(v) - kBeforeKeypoint_px;
       DescribedPlace place{{}, u - left, v - top, 0};
       place.window.stride = field.responses->odd[0].stride();
       for (std::size_t i = 0; i < kOrientations; ++i) {

@@ -6,7 +6,8 @@
 namespace striate::perception {
 namespace {
 
-constexpr std::size_t kFewestPixels = 20;  ///< pixels of a thing; fewer fit any velocity (ours)
+constexpr std::size_t kFewestForVelocity =
+    20;  ///< pixels of a thing; fewer fit any velocity (ours)
 /// More are thinned out: each costs all velocities, 5 ms a thing in all (README)
 constexpr std::size_t kMostPixels = 120;
 /// Best difference over the median of all; above, no velocity stands out (ours)
@@ -105,7 +106,7 @@ std::optional<Point2> best_velocity(Search& search, double sideways_step_m_s, do
 std::optional<Point2> find_velocity(const std::vector<ThingPixel>& pixels, const cv::Mat1b& grey,
                                     const CarriedBack& carried, const EarlierView& before,
                                     double fastest_m_s) {
-  if (pixels.size() < kFewestPixels || before.seconds <= 0.0) return std::nullopt;
+  if (pixels.size() < kFewestForVelocity || before.seconds <= 0.0) return std::nullopt;
   const std::vector<ThingPixel> few = thinned(pixels);
   Search search(few, carried, before, grey);
   const auto middle = carried.now().project(few[few.size() / 2].at);
@@ -128,7 +129,7 @@ std::optional<Point2> find_velocity(const std::vector<ThingPixel>& pixels, const
     x.push_back((pixel.at.x_m - then.x_m) / before.seconds);
     y.push_back((pixel.at.y_m - then.y_m) / before.seconds);
   }
-  if (x.size() < kFewestPixels / 2) return std::nullopt;
+  if (x.size() < kFewestForVelocity / 2) return std::nullopt;
   return Point2{median(x), median(y)};
 }
 

@@ -7,7 +7,7 @@ namespace striate::perception {
 namespace {
 
 /// Columns to either side that are looked at together, as in column_scan.cpp
-constexpr int kPool = 2;
+constexpr int kPoolOfFloor = 2;
 /// Least mean weight of a row: a quarter of it surely floor, or half with a promise of 0.5
 constexpr double kFloorSeen = 0.25;
 /// Rows of something standing that end the floor: a single one may be a wrong match
@@ -22,8 +22,8 @@ struct RowEvidence {
 /// Mean evidence of a row over a column and its neighbours.
 RowEvidence row_evidence(const JudgedMap& judged, int v, int u) {
   RowEvidence sum;
-  const int from = std::max(0, u - kPool);
-  const int to = std::min(judged.kind.cols - 1, u + kPool);
+  const int from = std::max(0, u - kPoolOfFloor);
+  const int to = std::min(judged.kind.cols - 1, u + kPoolOfFloor);
   for (int c = from; c <= to; ++c) {
     const double weight = judged.weight(v, c);
     switch (static_cast<PixelKind>(judged.kind(v, c))) {

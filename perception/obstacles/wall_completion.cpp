@@ -20,7 +20,7 @@ constexpr double kBehind = 1.2;
 constexpr double kSeenThrough = 0.3;
 constexpr double kTrusted = 0.3;  // confidence, as ObstacleSettings::trusted
 /// Free floor ends before the wall, as before an obstacle (obstacles.cpp)
-constexpr double kClearance_m = 0.05;
+constexpr double kWallClearance_m = 0.05;
 
 /// Sine, 3 deg: a ray so nearly along the corridor meets no wall within kFarthest_m
 constexpr double kAlong = 0.05;
@@ -65,7 +65,7 @@ void complete_with_walls(std::vector<Column>& columns, const CorridorView& corri
     column.obstacle_m = range_m;
     column.obstacle_confidence = kCounts * corridor.confidence;
     hide_behind_obstacle(column, kNothing_m);  // walls are higher than the camera
-    column.free_to_m = std::min(column.free_to_m, range_m - kClearance_m);
+    column.free_to_m = std::min(column.free_to_m, range_m - kWallClearance_m);
     if (column.free_to_m <= column.free_from_m) {
       column.free_from_m = column.free_to_m = column.free_confidence = 0.0;
     }

@@ -7,7 +7,7 @@ namespace striate::pioneer {
 namespace {
 
 /// A packet of the base waits so long at most; one comes every 100 ms
-constexpr Duration kTick = std::chrono::milliseconds(5);
+constexpr Duration kDriverTick = std::chrono::milliseconds(5);
 /// The slowest braking that may be set takes longer; then the motors go off while it rolls.
 constexpr Duration kLongestBraking = std::chrono::milliseconds(2500);
 /// A SIP cycle of 100 ms and the bytes of a stop at 9600 baud
@@ -121,7 +121,7 @@ void DriverThread::brake_to_a_stand() {
     const bool stands = std::abs(base.odometry.forward_m_s) < kStands_m_s &&
                         std::abs(base.odometry.turn_rad_s) < kStandsRad_s;
     if (stands && base.stamp - begin > kStopHasArrived) return;
-    line_->wait(kTick);
+    line_->wait(kDriverTick);
   }
 }
 
@@ -135,7 +135,7 @@ void DriverThread::say_goodbye() {
 void DriverThread::run() {
   try {
     while (!ends_) {
-      line_->wait(kTick);
+      line_->wait(kDriverTick);
       Slot slot;
       {
         const std::lock_guard lock(mutex_);

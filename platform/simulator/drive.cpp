@@ -7,7 +7,7 @@ namespace striate::simulator {
 namespace {
 
 /// Steps that end within a nanosecond of a due time are there: sums of 10 ms are not exact.
-constexpr double kAlmost_s = 1e-9;
+constexpr double kAlmostThere_s = 1e-9;
 /// Slower than this the wheels cannot be told from standing.
 /// Slower than this the wheels cannot be told from standing: 20 times a SIP's 1 mm/s
 constexpr double kStanding_m_s = 0.02;
@@ -39,7 +39,7 @@ void Drive::stop() {
 }
 
 void Drive::step(double now_s, double dt_s, double really_forward_m_s, double really_turn_rad_s) {
-  while (!pending_.empty() && pending_.front().due_s <= now_s + kAlmost_s) {
+  while (!pending_.empty() && pending_.front().due_s <= now_s + kAlmostThere_s) {
     in_force_ = pending_.front().command;
     last_arrival_s_ = now_s;
     pending_.pop_front();
@@ -68,7 +68,7 @@ void Drive::feel_stall(double dt_s, double really_forward_m_s, double really_tur
     return;
   }
   pushing_s_ += dt_s;
-  if (pushing_s_ + kAlmost_s < settings_.stall_after_s) return;
+  if (pushing_s_ + kAlmostThere_s < settings_.stall_after_s) return;
   // A blocked motor turns no further than the thing in its way lets it.
   stalled_ = true;
   forward_m_s_ = towards(really_forward_m_s, forward_m_s_, 2 * kStanding_m_s);

@@ -20,7 +20,7 @@ constexpr double kFarAgain_m = 0.15;
 constexpr double kSameTouch_s = 1.0;
 constexpr double kPathPeriod_s = 0.2;    ///< between noted poses: 0.15 m at full speed
 constexpr double kPeoplePeriod_s = 0.5;  ///< between noted places of people: a step
-constexpr double kAlmost_s = 1e-9;       ///< sums of 10 ms are not exact: a nanosecond is there
+constexpr double kAlmostDue_s = 1e-9;    ///< sums of 10 ms are not exact: a nanosecond is there
 /// Faster than this a thing counts as moving when it was hit: a tenth of a slow walk (ours)
 constexpr double kMoving_m_s = 0.05;
 
@@ -69,10 +69,10 @@ void Judge::note_path(double now_s, const Physics& physics, const People& people
   }
   started_ = true;
   now_ = {now_s, pose};
-  if (path_.empty() || now_s - path_.back().time_s >= kPathPeriod_s - kAlmost_s) {
+  if (path_.empty() || now_s - path_.back().time_s >= kPathPeriod_s - kAlmostDue_s) {
     path_.push_back(now_);
   }
-  if (people_.empty() || now_s - people_.back().time_s >= kPeoplePeriod_s - kAlmost_s) {
+  if (people_.empty() || now_s - people_.back().time_s >= kPeoplePeriod_s - kAlmostDue_s) {
     people_.push_back({now_s, {}});
     for (const PersonState& person : people.states()) people_.back().people.push_back(person.pose);
   }
@@ -152,7 +152,7 @@ void Judge::decide(double now_s) {
     outcome_ = Verdict::reached_goal;
   }
   over_ = over_ || (reached_goal_ && settings_.ends_at_goal);
-  if (!over_ && settings_.time_limit_s > 0.0 && now_s + kAlmost_s >= settings_.time_limit_s) {
+  if (!over_ && settings_.time_limit_s > 0.0 && now_s + kAlmostDue_s >= settings_.time_limit_s) {
     if (outcome_ == Verdict::running) outcome_ = Verdict::time_up;
     over_ = true;
   }

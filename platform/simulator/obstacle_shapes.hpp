@@ -67,6 +67,8 @@ inline constexpr double kStackAbove_m = 0.7;
 
 /// A person takes this radius on the floor, arms and a step included.
 inline constexpr double kPersonRadius_m = 0.25;
+/// A person, and 2 cm that a walker's steps err by (ours)
+inline constexpr double kPersonRoom_m = kPersonRadius_m + 0.02;
 /// A grown-up (ours); the wardrobe's heights are shares of it
 inline constexpr double kPersonHeight_m = 1.78;
 

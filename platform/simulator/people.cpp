@@ -10,8 +10,6 @@
 namespace striate::simulator {
 namespace {
 
-/// A person, and 2 cm that a walker's steps err by
-constexpr double kRoom_m = kPersonRadius_m + 0.02;
 constexpr std::uint64_t kStepsPerDecision = 10;  ///< of 10 ms: people decide ten times a second
 constexpr double kPatience_s = 4.0;  ///< held up for so long, a walker makes room (ours)
 /// From going back to trying again (ours)
@@ -41,7 +39,7 @@ constexpr double kDoorWithin_m = 20.0;
 std::vector<Point2> free_way(const std::vector<Point2>& points, const ClearanceMap& map) {
   std::vector<Point2> way{points.front()};
   for (std::size_t i = 1; i < points.size(); ++i) {
-    const auto leg = map.way(way.back(), points[i], kRoom_m);
+    const auto leg = map.way(way.back(), points[i], kPersonRoom_m);
     if (leg) way.insert(way.end(), leg->begin() + 1, leg->end());
   }
   return way;
@@ -87,7 +85,7 @@ void People::add_walks(std::uint64_t seed) {
       point.x_m += random.between(draw++, -kAlong_m, kAlong_m);
       point.y_m += random.between(draw++, -kAcross_m, kAcross_m);
       const Pose2 pose = plan_.at(point.x_m, point.y_m);
-      if (map_.at({pose.x_m, pose.y_m}) < kRoom_m) point = given;
+      if (map_.at({pose.x_m, pose.y_m}) < kPersonRoom_m) point = given;
     }
     walking.way = free_way(plan_path(world_, plan_, points), map_);
     walking.done = walking.way.size() < 2;
@@ -216,8 +214,8 @@ void People::yield(Walking& walking, double now_s) {
   for (const double back : {2.5, 1.5, 0.8}) {
     for (const double left : {0.8, -0.8, 0.5, -0.5}) {
       const Pose2 pose = plan_.at(me.x_m + away * back, me.y_m >= 0.0 ? left : -left);
-      if (map_.at({pose.x_m, pose.y_m}) < kRoom_m) continue;
-      auto way = map_.way(here, {pose.x_m, pose.y_m}, kRoom_m);
+      if (map_.at({pose.x_m, pose.y_m}) < kPersonRoom_m) continue;
+      auto way = map_.way(here, {pose.x_m, pose.y_m}, kPersonRoom_m);
       if (!way) continue;
       walking.yielding = true;
       walking.yielded_at_s = now_s;

@@ -15,8 +15,6 @@ constexpr double kFarthest_m = 2.5;
 /// Beyond what the robot needs to stop: a person appears where it can (ours)
 constexpr double kSpared_m = 0.6;
 constexpr double kPace_m_s = 1.1;  ///< a relaxed walk (ours)
-/// A person, and 2 cm that a walker's steps err by
-constexpr double kRoom_m = kPersonRadius_m + 0.02;
 /// Waits this long for a door to come up: 9 m of the robot's way (ours)
 constexpr double kDoorPatience_s = 12.0;
 /// Appears this far ahead where no door is: beyond what stereo tells (one px is 6 m there)
@@ -41,7 +39,7 @@ constexpr double kFromEnd_m = 0.5;
 /// To the side of the middle, where he comes or goes: half of a corridor's half width (1.2 m)
 constexpr double kAside_m = 0.6;
 /// Nobody appears nearer to another: two radii and a step (ours).
-constexpr double kFreeToAppear_m = 1.0;
+constexpr double kRoomToAppear_m = 1.0;
 /// So far a door is looked for, and so far he goes along the corridor: well beyond kGone_m (ours).
 constexpr double kLeaves_m = 15.0;
 
@@ -117,8 +115,8 @@ bool Stepper::come_through_a_door(const RobotNearby& place, const Surroundings& 
     const double ahead = place.robot.front_m + v * walk_s + before + kPersonRadius_m;
     if (std::abs(seen.x_m - ahead) > kDoorSlack_m || std::abs(seen.y_m) > kDoorAside_m) continue;
     const Point2 target = transform(around.robot, Point2{ahead, aside_m_});
-    if (place.map->at(target) < kRoom_m) continue;
-    auto way = place.map->way(door.inside, target, kRoom_m);
+    if (place.map->at(target) < kPersonRoom_m) continue;
+    auto way = place.map->way(door.inside, target, kPersonRoom_m);
     if (!way) continue;
     way->insert(way->begin(), door.outside);
     walker_.appear(
@@ -147,11 +145,11 @@ bool Stepper::come_from_ahead(const RobotNearby& place, const Surroundings& arou
   };
   const Point2 from = in_plan(away, corridor.y_m > 0.0 ? -kAside_m : kAside_m);
   const Point2 target = in_plan(meet_m, corridor.y_m + aside_m_);
-  if (place.map->at(from) < kRoom_m || place.map->at(target) < kRoom_m) return false;
+  if (place.map->at(from) < kPersonRoom_m || place.map->at(target) < kPersonRoom_m) return false;
   for (const Passer& other : around.others) {
-    if (distance_m(other.at, from) < kFreeToAppear_m) return false;
+    if (distance_m(other.at, from) < kRoomToAppear_m) return false;
   }
-  auto way = place.map->way(from, target, kRoom_m);
+  auto way = place.map->way(from, target, kPersonRoom_m);
   if (!way) return false;
   walker_.appear({from.x_m, from.y_m, std::atan2(target.y_m - from.y_m, target.x_m - from.x_m)},
                  look_);
@@ -174,7 +172,7 @@ void Stepper::leave(const RobotNearby& place, const Surroundings& around) {
                           : std::max(corridor.x_m - kLeaves_m, kFromEnd_m);
   for (const double left : {kAside_m, -kAside_m, 0.0}) {
     const Pose2 pose = place.plan->at(goal, left);
-    if (auto way = place.map->way(walker_.at(), {pose.x_m, pose.y_m}, kRoom_m)) {
+    if (auto way = place.map->way(walker_.at(), {pose.x_m, pose.y_m}, kPersonRoom_m)) {
       walker_.go(std::move(*way), kPace_m_s);
       return;
     }

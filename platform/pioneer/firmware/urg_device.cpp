@@ -6,7 +6,7 @@ namespace striate::pioneer {
 namespace {
 
 /// Between scans: URG-04LX, 600 rpm (SCAN of its PP reply)
-constexpr Duration kTurn = std::chrono::milliseconds(100);
+constexpr Duration kTurnOfUrg = std::chrono::milliseconds(100);
 constexpr std::size_t kLongestLine = 64;  // SCIP 2.0: data comes in lines of 64 characters
 
 }  // namespace
@@ -85,7 +85,7 @@ void UrgDevice::start_scanning(const std::string& line) {
 
 void UrgDevice::step(TimePoint now, const std::vector<int>& ranges_mm) {
   if (!running_ || now < next_scan_ || ranges_mm.size() < rays()) return;
-  next_scan_ = now + kTurn * (running_->skip + 1);
+  next_scan_ = now + kTurnOfUrg * (running_->skip + 1);
   const bool counted = running_->count > 0;
   if (counted) --running_->count;
   std::vector<int> grouped;

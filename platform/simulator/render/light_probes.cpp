@@ -3,7 +3,7 @@
 namespace striate::simulator::render {
 namespace {
 
-constexpr int kDirections = 96;                                 // rays a probe; as baked_light.cpp
+constexpr int kRaysPerProbe = 96;                               // rays a probe; as baked_light.cpp
 constexpr std::array<float, 3> kHeight_m{0.15F, 0.95F, 1.75F};  // a person's feet, hips and head
 /// The six sides that a probe is lit from
 constexpr std::array<Vec3, 6> kAxis{
@@ -24,7 +24,7 @@ bool inside(const std::vector<Point2>& outline, double x, double y) {
 
 LightProbes::LightProbes(const Stage& stage, const FloorPlan& plan, const BakedLight& baked,
                          const Tracer& tracer)
-    : directions_(sphere_directions(kDirections)) {
+    : directions_(sphere_directions(kRaysPerProbe)) {
   double x0 = 1e9;
   double x1 = -1e9;
   double y0 = 1e9;
@@ -59,7 +59,7 @@ std::array<V4, 6> LightProbes::measure(const Stage& stage, const BakedLight& bak
                                        const Tracer& tracer, Vec3 point) const {
   std::array<V4, 6> light{};
   Packet packet;
-  for (std::size_t first = 0; first < kDirections; first += Packet::kSize) {
+  for (std::size_t first = 0; first < kRaysPerProbe; first += Packet::kSize) {
     for (unsigned k = 0; k < Packet::kSize; ++k)
       packet.set(k, point, directions_[first + k], 0.0F, 1e4F);
     tracer.intersect(packet, false);
@@ -83,7 +83,7 @@ std::array<V4, 6> LightProbes::measure(const Stage& stage, const BakedLight& bak
       }
       for (std::size_t a = 0; a < 6; ++a) {
         // Radiance is radiosity / pi; each direction stands for 4 pi / count of the sphere.
-        light[a] += radiosity * splat(std::max(0.0F, dot(d, kAxis[a])) * 4.0F / kDirections);
+        light[a] += radiosity * splat(std::max(0.0F, dot(d, kAxis[a])) * 4.0F / kRaysPerProbe);
       }
     }
   }

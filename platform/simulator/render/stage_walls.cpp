@@ -10,7 +10,7 @@ constexpr float kWindow_m = 1.3F;     ///< width of a window in a row
 constexpr float kPier_m = 0.75F;      ///< of wall between two windows of a row
 constexpr float kReveal_m = 0.18F;    ///< depth of a window in its wall (ours)
 /// Walls are laid in pieces of at most this, for baked light and culling
-constexpr float kPiece_m = 5.0F;
+constexpr float kWallPiece_m = 5.0F;
 
 struct Span {
   float from = 0.0F;
@@ -49,7 +49,7 @@ class Wall {
 
   /// The wall's face, in pieces short enough for quick ray casting.
   void long_face(PatchList& patches, Span x, Span z, int material, float y = 0.0F) const {
-    const int pieces = std::max(1, static_cast<int>(std::ceil((x.to - x.from) / kPiece_m)));
+    const int pieces = std::max(1, static_cast<int>(std::ceil((x.to - x.from) / kWallPiece_m)));
     const float step = (x.to - x.from) / static_cast<float>(pieces);
     for (int i = 0; i < pieces; ++i) {
       const float from = x.from + step * static_cast<float>(i);

@@ -145,7 +145,7 @@ TEST_F(EvalStereo, NamesTheImageThatDoesNotFit) {
   write("p/disparity.pfm", pfm({10, 10}, 3.0F, false));
   EXPECT_THAT(diagnostic_of_reading(), HasSubstr("disparity.pfm is 10x10"));
   write("p/right.png", std::string("no image"));
-  EXPECT_THAT(diagnostic_of_reading(), HasSubstr("right.png: not an image"));
+  EXPECT_THAT(diagnostic_of_reading(), HasSubstr("right.png: cannot be read as an image"));
 }
 
 TEST_F(EvalStereo, RefusesABrokenPfm) {

@@ -1,0 +1,36 @@
+#include "striate/evaluation/images/set_files.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <fstream>
+#include <opencv2/imgcodecs.hpp>
+
+#include "striate/base/user_error.hpp"
+
+namespace striate::evaluation {
+
+bool is_image(const std::filesystem::path& file) {
+  constexpr const char* kSuffixes[] = {".png", ".ppm", ".pgm", ".bmp", ".jpg", ".jpeg"};
+  std::string suffix = file.extension().string();
+  std::ranges::transform(suffix, suffix.begin(), [](unsigned char c) { return std::tolower(c); });
+  return std::ranges::find(kSuffixes, suffix) != std::end(kSuffixes);
+}
+
+cv::Mat1b read_grey(const std::filesystem::path& file) {
+  cv::Mat1b image = cv::imread(file.string(), cv::IMREAD_GRAYSCALE);
+  if (image.empty()) throw UserError(file.string() + ": cannot be read as an image");
+  return image;
+}
+
+cv::Matx33d read_homography(const std::filesystem::path& file) {
+  std::ifstream stream(file);
+  cv::Matx33d homography;
+  for (double& value : homography.val) stream >> value;
+  if (!stream || !std::isfinite(cv::norm(homography)) || cv::determinant(homography) == 0.0) {
+    throw UserError(file.string() + ": not a homography: nine numbers, row by row, are expected");
+  }
+  return homography;
+}
+
+}  // namespace striate::evaluation
