@@ -90,11 +90,11 @@ def follow(steps, tree):
     return registry
 
 
-def compile_like(build, source, include, what, output):
-    """Compiles as `source` is compiled in the build, but with other headers before its own."""
+def compile_like(build, target, include, what, output):
+    """Compiles as a file of `target` is compiled in the build, but with other headers before its own."""
     with open(os.path.join(build, "compile_commands.json")) as file:
-        commands = {entry["file"]: entry["command"] for entry in json.load(file)}
-    words = shlex.split(commands[source])
+        commands = [entry["command"] for entry in json.load(file) if f"/{target}.dir/" in entry["command"]]
+    words = shlex.split(next(command for command in commands if "-x c++-header" not in command))
     words = words[:words.index("-o")] + ["-O0", "-o", output, "-c", what]
     words = [word.replace(os.path.join(build, "include"), include) if word.startswith("-I") else word
              for word in words]
@@ -110,6 +110,8 @@ def link_like(build, ninja, target, objects, output):
     words[at + 1] = output
     words = [word for word in words if not word.endswith(".o")]
     at = words.index("-o")
+    # The changed registry goes before the library's own, which is compiled together with other files.
+    objects = objects + ["-Wl,--allow-multiple-definition"]
     if subprocess.run(words[:at] + objects + words[at:], cwd=build).returncode != 0:
         fail("what it says does not link")
 
@@ -134,8 +136,7 @@ def main(root, build, ninja):
         objects = []
         for source in (registry, program):
             objects.append(os.path.join(scratch, os.path.basename(source) + ".o"))
-            compile_like(build, os.path.join(root, "behaviours", "registry.cpp"), os.path.join(scratch, "include"),
-                         source, objects[-1])
+            compile_like(build, "striate_behaviours", os.path.join(scratch, "include"), source, objects[-1])
         walk = os.path.join(scratch, "walk")
         link_like(build, ninja, "tests/unit_tasks", objects, walk)
         line = only(steps[3][1], 1, 3)[0].strip()

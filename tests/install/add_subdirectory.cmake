@@ -11,7 +11,7 @@ expect_no_match("${commands}" "${OWN_OPTIONS}|-O2" "Striate's options reach its 
 
 # Striate's layers: warnings end no other project's build, and its flags change no result.
 foreach(layer base perception memory agent)
-  commands_of(commands ${WORK} "^${SOURCE}/${layer}/")
+  commands_of(commands ${WORK} "^${SOURCE}/${layer}/|/striate_${layer}.dir/Unity/")
   expect_no_match("${commands}" "-Werror" "warnings in Striate are errors for others")
   string(REGEX MATCHALL "[^\n]+" lines "${commands}")
   foreach(line IN LISTS lines)
