@@ -21,14 +21,13 @@ tasks::Task standing_task(const RobotDescription& robot) {
   return task;
 }
 
-/// Checks `needs: {landmarks: ...}` against what the memory knows.
+/// Checks `needs: {landmarks: ...}` against what the memory knows; without one, nothing is known.
 tasks::Task task_for(const MissionOptions& options, const tasks::GivenVariables& given,
                      const RobotDescription& robot) {
   if (options.task.empty()) return standing_task(robot);
   std::vector<std::string> names;
   if (options.knowledge) names = options.knowledge->names();
-  tasks::Task task =
-      tasks::load_task(options.task, robot, given, options.knowledge ? &names : nullptr);
+  tasks::Task task = tasks::load_task(options.task, robot, given, &names);
   check_variables(options.given, task);
   return task;
 }

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "striate/app/command_line/empty_names.hpp"
 #include "striate/app/command_line/mistakes.hpp"
 #include "striate/app/command_line/old_names.hpp"
 #include "striate/app/commands/commands.hpp"
@@ -88,6 +89,7 @@ int run(int argc, char** argv) {
   striate::app::add_teach_command(app, exit_code);
   striate::app::add_memory_command(app, exit_code);
   striate::app::add_help_command(app, exit_code);
+  striate::app::refuse_empty_names(app);
   return parse(app, {argv + 1, argv + argc}) ? exit_code : 2;
 }
 

@@ -32,6 +32,8 @@ class TreeBuilder final : public YAML::EventHandler {
   TreeBuilder(const std::string& text, Diagnostics& diagnostics)
       : text_(text), diagnostics_(diagnostics) {}
   Node take() { return std::move(root_); }
+  /// Where the last text in quotes begins; line 0 where there is none.
+  [[nodiscard]] SourceLocation last_quoted() const { return last_quoted_; }
 
   void OnDocumentStart(const YAML::Mark&) override {}
   void OnDocumentEnd() override {}
@@ -63,6 +65,7 @@ class TreeBuilder final : public YAML::EventHandler {
     node.place = place_of(mark);
     node.text = value;
     node.quoted = tag == "!";
+    if (node.quoted) last_quoted_ = node.place;
     put(std::move(node));
   }
   void OnSequenceStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
@@ -173,6 +176,7 @@ class TreeBuilder final : public YAML::EventHandler {
   bool anchor_told_ = false;
   bool alias_told_ = false;
   int values_ = 0;
+  SourceLocation last_quoted_;
   Node root_;
   std::vector<Level> levels_;
 };

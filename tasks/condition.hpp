@@ -33,6 +33,8 @@ struct ConditionEntry {
   /// `key`, without it the landmark's name alone.
   std::unique_ptr<Condition> (*make_of)(const std::string& landmark, double value_si) = nullptr;
   std::string key{};
+  /// Once it holds it goes on holding for as long as the robot stands: `pause_if` would never end.
+  bool lasts_while_standing = false;
 };
 
 }  // namespace striate::tasks

@@ -130,9 +130,9 @@ constexpr config::Range kLength_m{0.0, 100000.0};
 constexpr config::Range kDay_s{0.0, 86400.0};
 constexpr config::Range kShare{0.0, 1.0};
 
-/// What is asked of memory as one figure.
-std::vector<ConditionEntry> figure_conditions() {
-  return {
+/// What time and the robot's own motion change, and nothing else: it lasts while the robot stands.
+std::vector<ConditionEntry> motion_conditions() {
+  std::vector<ConditionEntry> entries = {
       {"travelled", "driven so far since the step began, by odometry", Unit::length, kLength_m,
        "58 m", make<GrownBy<Travelled>>},
       {"progress",
@@ -149,6 +149,20 @@ std::vector<ConditionEntry> figure_conditions() {
        at_most<ProgressMade>},
       {"after", "time since the step began", Unit::duration, kDay_s, "20 s", make<GrownBy<Time>>},
       {"stands_for", "has not moved for so long", Unit::duration, kDay_s, "30 s", make<StandsFor>},
+      {"corridor_wider_than", "the corridor, once measured, is wider than this", Unit::length,
+       kLength_m, "3 m", at_least<Width<0>>},
+      {"corridor_narrower_than", "the corridor, once measured, is narrower than this", Unit::length,
+       kLength_m, "1.5 m", at_most<Width<1000000>>},
+      {"near_start", "the robot is so near to where the run began", Unit::length, kLength_m,
+       "0.6 m", at_most<FromStart>},
+  };
+  for (ConditionEntry& entry : entries) entry.lasts_while_standing = true;
+  return entries;
+}
+
+/// What may change by itself, too.
+std::vector<ConditionEntry> figure_conditions() {
+  return {
       {"light_below", "the image is darker than this", Unit::fraction, kShare, "20 %",
        at_most<Light>},
       {"light_above", "the image is brighter than this", Unit::fraction, kShare, "60 %",
@@ -159,22 +173,17 @@ std::vector<ConditionEntry> figure_conditions() {
        at_least<ImageAge>},
       {"sees_less_than", "the share of the view that tells any distance, slowly averaged, is less",
        Unit::fraction, kShare, "30 %", at_most<SeenShare>},
-      {"corridor_wider_than", "the corridor, once measured, is wider than this", Unit::length,
-       kLength_m, "3 m", at_least<Width<0>>},
-      {"corridor_narrower_than", "the corridor, once measured, is narrower than this", Unit::length,
-       kLength_m, "1.5 m", at_most<Width<1000000>>},
       {"battery_below", "the battery's charge, judged by its voltage, is less than this",
        Unit::fraction, kShare, "20 %", at_most<Charge>},
-      {"near_start", "the robot is so near to where the run began", Unit::length, kLength_m,
-       "0.6 m", at_most<FromStart>},
   };
 }
 
 ConditionRegistry& table() {
   static ConditionRegistry registry = [] {
-    std::vector<ConditionEntry> all = figure_conditions();
-    const std::vector<ConditionEntry>& landmarks = landmark_conditions();
-    all.insert(all.end(), landmarks.begin(), landmarks.end());
+    std::vector<ConditionEntry> all = motion_conditions();
+    for (const auto& more : {figure_conditions(), landmark_conditions()}) {
+      all.insert(all.end(), more.begin(), more.end());
+    }
     return ConditionRegistry(std::move(all));
   }();
   return registry;

@@ -25,5 +25,7 @@ inline constexpr Fault unreachable{33};
 inline constexpr Fault same_motors{34};  ///< two branches of `together` want the same motors
 inline constexpr Fault unknown_landmark{35};
 inline constexpr Fault key_out_of_place{36};  ///< `with` without `use`, and the like
+inline constexpr Fault pauses_for_ever{
+    37};  ///< a guard whose condition a standing robot cannot end
 
 }  // namespace striate::tasks::fault

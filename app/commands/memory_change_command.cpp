@@ -59,13 +59,14 @@ void give_room_back(const std::string& path) {
 }
 
 void prune_command(const MemoryCommandOptions& options, bool yes) {
+  memory::PrunePlan plan;
   agent::with_memory(options.file, yes ? memory::Access::edit : memory::Access::read, "pruning it",
                      [&](memory::MemoryTables& tables, memory::MemoryFile&) {
                        const memory::LongTermSettings settings = options.settings();
-                       const memory::PrunePlan plan = memory::plan_prune(tables, settings);
+                       plan = memory::plan_prune(tables, settings);
                        if (yes) memory::prune(tables, plan, settings);
-                       print_plan(options, plan, yes);
                      });
+  print_plan(options, plan, yes);  // "done" only once it is on the disk
   if (yes) give_room_back(options.file);
 }
 

@@ -32,8 +32,11 @@ struct Comparison {
   std::uint64_t first_cycle = 0;  ///< that differs; 0: none
   double first_s = 0.0;
   std::vector<std::string> first;  ///< what differs there
-  std::uint64_t gaps = 0;          ///< cycles that the recorder left out, within the file
-  std::uint64_t first_gap = 0;     ///< the first of them
+
+  /// What holds no cycle shows nothing.
+  [[nodiscard]] bool identical() const { return cycles > 0 && differing == 0; }
+  std::uint64_t gaps = 0;       ///< cycles that the recorder left out, within the file
+  std::uint64_t first_gap = 0;  ///< the first of them
   double lasts_s = 0.0;
 };
 
@@ -86,6 +89,10 @@ void print_text(const agent::ReplayMission& mission, const Comparison& result) {
   for (const std::string& line : mission.changed_settings()) {
     fmt::print("  setting     {}\n", line);
   }
+  if (result.cycles == 0) {
+    fmt::print("  decisions   none: the recording holds no cycle\n");
+    return;
+  }
   if (result.first_cycle == 0) {
     fmt::print("  decisions   the same in all cycles, bit for bit\n");
     return;
@@ -105,7 +112,7 @@ void print_as_json(const agent::ReplayMission& mission, const Comparison& result
                                  {"whole", mission.ending() == replay::Ending::closed},
                                  {"cycles_not_recorded", result.gaps},
                                  {"changed_settings", mission.changed_settings()},
-                                 {"identical", result.differing == 0},
+                                 {"identical", result.identical()},
                                  {"differing_cycles", result.differing}};
   if (result.first_cycle > 0) {
     json["first_difference"] = {
@@ -129,7 +136,7 @@ int run(const ReplayCommandOptions& options) {
     print_text(mission, result);
   }
   if (Interrupt::requested()) return 130;
-  return result.differing == 0 ? 0 : 1;
+  return result.identical() ? 0 : 1;
 }
 
 }  // namespace
@@ -143,7 +150,8 @@ void add_replay_command(CLI::App& app, int& exit_code) {
       "Examples: striate replay run.rec\n"
       "          striate replay run.rec --robot other.yaml --pictures out/replay "
       "--picture-every 10\n"
-      "Exit code 0: all the same; 1: something was decided otherwise, and it says where first.");
+      "Exit code 0: all the same; 1: something was decided otherwise, and it says where first,\n"
+      "or the recording holds no cycle.");
   command->add_option("recording", options->replay.recording, "the recording")->required();
   command->add_option("--robot", options->replay.robot,
                       "other settings than those of the recording");

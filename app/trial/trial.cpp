@@ -8,6 +8,8 @@
 #include <optional>
 
 #include "striate/agent/baselines/baseline.hpp"
+#include "striate/agent/landmark_knowledge.hpp"
+#include "striate/agent/robot_settings.hpp"
 #include "striate/agent/run_result.hpp"
 #include "striate/app/interrupt.hpp"
 #include "striate/app/status_line.hpp"
@@ -15,6 +17,8 @@
 #include "striate/app/trial/trial_table.hpp"
 #include "striate/base/files.hpp"
 #include "striate/base/user_error.hpp"
+#include "striate/platform/simulator/world.hpp"
+#include "striate/tasks/task_reader.hpp"
 
 namespace striate::app {
 namespace {
@@ -58,6 +62,16 @@ void check_options(const TrialOptions& options) {
       }
     }
   }
+}
+
+/// What would end every run alike is told once, before any.
+void check_files(const TrialOptions& options) {
+  std::vector<std::string> known;
+  if (!options.memory.empty()) known = agent::read_mission_knowledge(options.memory).names();
+  std::string notices;
+  const agent::RobotSettings settings = agent::load_robot_settings(options.robot, &notices);
+  (void)tasks::check_task(options.task, agent::simulated_robot(settings), &known);
+  for (const std::string& world : options.worlds) (void)simulator::load_world(world);
 }
 
 class Trial {
@@ -160,6 +174,7 @@ class Trial {
 
 int run_trial(const TrialOptions& options) {
   check_options(options);
+  check_files(options);
   const Interrupt interrupt;
   return Trial(options).run();
 }

@@ -32,12 +32,32 @@ std::int64_t number(SQLite::Database& database, const char* query) {
   return database.execAndGet(query).getInt64();
 }
 
+/// SQLite takes some names for a database that is kept nowhere, or reads options out of them; and a
+/// pipe or a device keeps nothing either.
+void check_path(const std::string& path) {
+  if (path.empty()) {
+    throw UserError("the name of the memory is empty\n    name a file, such as home.db");
+  }
+  if (path == ":memory:" || path.rfind("file:", 0) == 0) {
+    throw UserError(
+        fmt::format("{}: SQLite takes this name for something else than a file, and "
+                    "nothing would be kept\n    write ./{} if that is its name",
+                    path, path));
+  }
+  std::error_code code;
+  const auto status = std::filesystem::status(path, code);
+  if (std::filesystem::is_directory(status)) {
+    throw UserError(fmt::format("{}: a folder, not a memory\n    name a file in it", path));
+  }
+  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) {
+    throw UserError(fmt::format("{}: no file that keeps anything\n    name another", path));
+  }
+}
+
 }  // namespace
 
 MemoryFile::MemoryFile(std::string path, const MemoryOptions& options) : path_(std::move(path)) {
-  if (std::filesystem::is_directory(path_)) {
-    throw UserError(fmt::format("{}: a folder, not a memory\n    name a file in it", path_));
-  }
+  check_path(path_);
   if (options.access == Access::session) {
     lock_.emplace(path_, options.software);
   } else if (!std::filesystem::exists(path_)) {

@@ -142,7 +142,7 @@ void ScriptReader::check_landmarks(const Node& list) {
     if (item.open) continue;  // checked alone: whoever uses it says which
     if (std::find(known.begin(), known.end(), item.text) != known.end()) continue;
     std::string hint = config::suggest(item.text, known);
-    if (hint.empty()) hint = "teach it first, or give another memory";
+    if (hint.empty()) hint = "teach it first, and give the memory that knows it with --memory FILE";
     diagnostics_.add(fault::unknown_landmark, item.place,
                      fmt::format("the memory knows no landmark '{}'", item.text), hint);
   }
@@ -182,6 +182,7 @@ void ScriptReader::read_guard(const Node& node, std::vector<Guard>& guards, Outl
   guard.line = node.place.line;
   guard.text = condition_text(entry.value);
   guard.condition = read_condition(entry.value, diagnostics_);
+  if (guard.kind == Guard::Kind::pause_if && guard.condition) check_pause(entry.value);
   Outline shown;
   shown.kind = Outline::Kind::guard;
   shown.name = entry.key;
@@ -189,6 +190,17 @@ void ScriptReader::read_guard(const Node& node, std::vector<Guard>& guards, Outl
   shown.place = node.place;
   outline.children.push_back(std::move(shown));
   if (guard.condition) guards.push_back(std::move(guard));
+}
+
+/// The robot stands while a task pauses, so what only its motion could end lasts for ever.
+void ScriptReader::check_pause(const Node& condition) {
+  const Node::Entry& entry = condition.entries.front();
+  const ConditionEntry* kind = find_condition(entry.key);
+  if (kind == nullptr || !kind->lasts_while_standing) return;
+  diagnostics_.add(
+      fault::pauses_for_ever, entry.key_place,
+      fmt::format("the pause would never end: '{}' lasts while the robot stands", entry.key),
+      "use 'fail_if', or pause on what ends by itself, as 'image_older_than'");
 }
 
 void ScriptReader::build(const Node* always, const Node& steps, const Node* finally) {

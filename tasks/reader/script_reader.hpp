@@ -39,6 +39,7 @@ class ScriptReader {
   void check_landmarks(const config::Node& list);
   std::vector<Guard> read_always(const config::Node& node, Outline& outline);
   void read_guard(const config::Node& node, std::vector<Guard>& guards, Outline& outline);
+  void check_pause(const config::Node& condition);
   void build(const config::Node* always, const config::Node& steps, const config::Node* finally);
 
   ReadContext& context_;

@@ -56,5 +56,29 @@ TEST(MemoryCommand, AFullDiskIsSaidAndWhatWasTaughtBeforeIsThere) {
   EXPECT_THAT(run.err, HasSubstr("there is no room left"));
 }
 
+TEST(MemoryCommand, PruneSaysDoneOnlyOnceItIsOnTheDisk) {
+  const TemporaryFolder folder;
+  const std::string disk = folder / "disk";
+  std::filesystem::create_directory(disk);
+  const std::string file = disk + "/home.db";
+  const std::string robot = folder.write("r.yaml", "long_term_memory: {most_episodes: 1}\n");
+  for (int seed = 1; seed < 4; ++seed) {
+    teach(file, "thing " + std::to_string(seed), image_of_a_thing(folder, seed));
+  }
+  const std::size_t episodes = memory_json(file, {"episodes"}).size();
+  ASSERT_GT(episodes, 1U);
+  {
+    // Room for SQLite's index of the log, not for what the commit writes.
+    const SmallDisk full(disk, static_cast<int>(std::filesystem::file_size(file)) + 34000);
+    const Ended ended = memory(file, {"prune", "--yes", "--robot", robot});
+    EXPECT_EQ(ended.exit_code, 2);
+    EXPECT_EQ(ended.out, "");
+    EXPECT_THAT(ended.err, HasSubstr("there is no room left"));
+  }
+  EXPECT_EQ(memory_json(file, {"episodes"}).size(), episodes);
+  EXPECT_THAT(memory(file, {"prune", "--yes", "--robot", robot}).out, HasSubstr("done\n"));
+  EXPECT_EQ(memory_json(file, {"episodes"}).size(), 1U);
+}
+
 }  // namespace
 }  // namespace striate::scenarios

@@ -1,6 +1,7 @@
 #include <SQLiteCpp/Database.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <nlohmann/json.hpp>
 #include <opencv2/core.hpp>
@@ -88,6 +89,31 @@ TEST(MemoryCommand, TablesFitTheTerminal) {
     }
   }
   unsetenv("COLUMNS");
+}
+
+TEST(MemoryCommand, AMemoryIsAFileThatKeepsWhatItIsGiven) {
+  const TemporaryFolder folder;
+  const std::string image = image_of_a_thing(folder, 1);
+  const std::string pipe = folder / "pipe";
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  for (const std::string& nowhere :
+       {std::string(), std::string(":memory:"), std::string("file:x?mode=memory"), pipe,
+        std::string("/dev/null"), folder / ""}) {
+    for (const auto& words :
+         {std::vector<std::string>{"teach", "book", "--image", image, "--memory"},
+          {"run", "config/tasks/corridor.yaml", "--world", "config/worlds/empty.yaml", "--quiet",
+           "--memory"},
+          {"trial", "--worlds", "config/worlds/empty.yaml", "--runs", "1", "--out", folder / "out",
+           "--memory"}}) {
+      std::vector<std::string> all = words;
+      all.push_back(nowhere);
+      const Ended ended = striate(all);
+      EXPECT_EQ(ended.exit_code, 2) << words[0] << " '" << nowhere << "': " << ended.out;
+      EXPECT_EQ(ended.out, "") << words[0] << " '" << nowhere << "'";
+    }
+    const Ended listed = striate({"memory", nowhere, "list"});
+    EXPECT_EQ(listed.exit_code, 2) << nowhere;
+  }
 }
 
 TEST(MemoryCommand, ForgetRestoreAndPrune) {

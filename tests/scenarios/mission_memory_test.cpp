@@ -60,6 +60,15 @@ TEST(MissionMemory, ATaskThatNeedsALandmarkIsCheckedAgainstIt) {
   };
   EXPECT_EQ(run().exit_code, 2);
   EXPECT_FALSE(std::filesystem::exists(file));
+  for (const char* how : {"run", "trial"}) {
+    const Ended without =
+        how == std::string("run")
+            ? striate({"run", task, "--world", "config/worlds/empty.yaml", "--quiet"})
+            : striate({"trial", "--task", task, "--worlds", "config/worlds/empty.yaml", "--runs",
+                       "1", "--out", folder / "out"});
+    EXPECT_EQ(without.exit_code, 2) << how;
+    EXPECT_THAT(without.err, AllOf(HasSubstr("t.yaml:2:21"), HasSubstr("--memory FILE"))) << how;
+  }
   teach(file, "bok", image_of_a_thing(folder, 1));
   EXPECT_THAT(run().err, HasSubstr("the memory knows no landmark 'book'"));
   teach(file, "book", image_of_a_thing(folder, 2));

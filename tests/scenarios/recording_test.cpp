@@ -60,6 +60,24 @@ TEST_F(RecordedMission, OfWhichTheEndIsMissingIsReplayedUpToThere) {
   EXPECT_THAT(again.out, HasSubstr("the same in all cycles, bit for bit"));
 }
 
+TEST_F(RecordedMission, WithoutASingleCycleShowsNothing) {
+  const TemporaryFolder folder;
+  const std::string cut = folder / "cut.rec";
+  fs::copy_file(file(), cut);
+  bool found = false;
+  for (std::uintmax_t size = fs::file_size(cut) / 2; size > 64 && !found; size /= 2) {
+    fs::resize_file(cut, size);
+    const Ended again = striate({"replay", cut, "--json"});
+    if (again.exit_code == 2) break;
+    if (json_of(again)["cycles"] != 0) continue;
+    found = true;
+    EXPECT_EQ(again.exit_code, 1);
+    EXPECT_EQ(json_of(again)["identical"], false);
+    EXPECT_THAT(striate({"replay", cut}).out, HasSubstr("the recording holds no cycle"));
+  }
+  EXPECT_TRUE(found);
+}
+
 TEST_F(RecordedMission, TellsWhatShortTermMemoryHeldAtAnyTime) {
   const TemporaryFolder folder;
   const std::string image = folder / "map.png";

@@ -170,6 +170,25 @@ TEST(Yaml, RefusesAliasBombsTagsAndDepth) {
   EXPECT_THAT(big.text(), HasSubstr("larger than 1 MB"));
 }
 
+TEST(Yaml, AQuoteThatIsNotClosedIsToldWhereItOpens) {
+  for (const std::string& text :
+       {std::string("a: 1\nb: \"done\nfinally:\n  - stop\n"), std::string("a: 1\nb: 'done\n"),
+        std::string("a: 1\nb: \"done"), std::string("a: 1\r\nb: \"done\r\n\r\n"),
+        std::string("a: 1\nb: \"do\\\"ne 'x'\n # not a comment\n"),
+        std::string("a: 1\nb: [x, 'y]\n"), std::string("a: 1\n\"b: c\n")}) {
+    Diagnostics diagnostics("f.yaml");
+    (void)parse_yaml(text, diagnostics);
+    EXPECT_THAT(diagnostics.text(), HasSubstr("f.yaml:2:")) << text;
+    EXPECT_THAT(diagnostics.text(), HasSubstr("this quote is not closed")) << text;
+  }
+  for (const char* text : {"a: \"b\"\n", "a: 'it''s'", "a: \"b\" # \"c\n", "a: b\"c\n",
+                           "a: |\n  \"b\n", "a: \"b\n  c\"\n\n", "--- \"b\"\n...\n"}) {
+    Diagnostics diagnostics("f.yaml");
+    (void)parse_yaml(text, diagnostics);
+    EXPECT_TRUE(diagnostics.none()) << text << diagnostics.text();
+  }
+}
+
 TEST(Yaml, SaysWhichFileIsMissing) {
   Diagnostics diagnostics("/nowhere/x.yaml");
   load_yaml(diagnostics);
