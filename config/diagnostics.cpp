@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <sstream>
 
+#include "striate/base/plain_text.hpp"
 #include "striate/base/user_error.hpp"
 
 namespace striate::config {
@@ -62,7 +63,7 @@ std::string Diagnostics::told(const Diagnostic& diagnostic, const std::string& k
   text += fmt::format(": {}: {}\n", kind, diagnostic.message);
   const std::string line = place.line > 0 ? line_of(source_, place.line) : std::string();
   if (!line.empty() && line.size() < 200) {
-    text += fmt::format("    {}\n    {}^\n", line, blanks_before(line, place.column));
+    text += fmt::format("    {}\n    {}^\n", plain_lines(line), blanks_before(line, place.column));
   }
   if (!diagnostic.hint.empty()) text += fmt::format("    {}\n", diagnostic.hint);
   return text;

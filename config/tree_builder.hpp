@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "striate/base/plain_text.hpp"
 #include "striate/config/node.hpp"
 
 namespace striate::config {
@@ -66,6 +67,7 @@ class TreeBuilder final : public YAML::EventHandler {
     node.text = value;
     node.quoted = tag == "!";
     if (node.quoted) last_quoted_ = node.place;
+    refuse_hidden_letters(node);
     put(std::move(node));
   }
   void OnSequenceStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
@@ -106,6 +108,19 @@ class TreeBuilder final : public YAML::EventHandler {
     anchor_told_ = true;
     diagnostics_.add(fault::not_allowed, place_of(mark), "anchors (&name) are not allowed",
                      "write the value out where it is needed");
+  }
+
+  /// What is read here is shown in terminals, tables and pictures later.
+  void refuse_hidden_letters(Node& node) {
+    const std::string plain = plain_lines(node.text);
+    if (plain == node.text) return;
+    diagnostics_.add(
+        fault::not_allowed, node.place,
+        fmt::format("'{}' holds what no terminal shows: a control character, a mark of "
+                    "direction or a byte that is no UTF-8",
+                    plain),
+        "write the file as UTF-8, without them");
+    node.text = plain;
   }
 
   void refuse_tag(const YAML::Mark& mark, const std::string& tag) {

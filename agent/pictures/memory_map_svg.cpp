@@ -8,6 +8,7 @@
 #include <unordered_map>
 
 #include "striate/base/geometry.hpp"
+#include "striate/base/plain_text.hpp"
 #include "striate/base/user_error.hpp"
 
 namespace striate::agent::pictures {
@@ -17,20 +18,6 @@ namespace {
 constexpr double kSide_px = 1200.0;
 constexpr double kMargin_px = 60.0;  ///< px around: labels at the border fit
 constexpr double kEllipse = 2.45;    ///< standard deviations that hold 95 % in two dimensions
-
-std::string escaped(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    if (c == '<') {
-      result += "&lt;";
-    } else if (c == '&') {
-      result += "&amp;";
-    } else {
-      result += c;
-    }
-  }
-  return result;
-}
 
 /// Map x to the right, y up.
 class MapSvg {
@@ -104,7 +91,7 @@ class MapSvg {
     svg_ += fmt::format(
         "<circle cx=\"{0:.1f}\" cy=\"{1:.1f}\" r=\"4\" fill=\"#0b62a4\"/>"
         "<text x=\"{2:.1f}\" y=\"{3:.1f}\">{4}</text>\n",
-        x(at.x_m), y(at.y_m), x(at.x_m) + 7.0, y(at.y_m) - 7.0, escaped(name));
+        x(at.x_m), y(at.y_m), x(at.x_m) + 7.0, y(at.y_m) - 7.0, xml_text(name));
   }
 
   [[nodiscard]] std::string end() { return svg_ + "</svg>\n"; }

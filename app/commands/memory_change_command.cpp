@@ -72,7 +72,33 @@ void prune_command(const MemoryCommandOptions& options, bool yes) {
 
 }  // namespace
 
+namespace {
+
+void add_rename(CLI::App& command, const SharedMemoryOptions& shared, int& exit_code) {
+  struct Given {
+    std::string name, to;
+  };
+  auto given = std::make_shared<Given>();
+  CLI::App* verb =
+      command.add_subcommand("rename",
+                             "Gives a landmark another name; all that is known of it stays.\n"
+                             "Example: striate memory home.db rename book \"red book\"");
+  verb->add_option("name", given->name, "the landmark")->type_name("NAME")->required();
+  verb->add_option("to", given->to, "its name from now on")->type_name("NAME")->required();
+  verb->callback([shared, given, &exit_code] {
+    agent::with_memory(shared->file, memory::Access::edit, "renaming it",
+                       [&](memory::MemoryTables& tables, memory::MemoryFile&) {
+                         memory::rename(tables, given->name, given->to);
+                       });
+    print_done(*shared, given->to, "renamed");
+    exit_code = 0;
+  });
+}
+
+}  // namespace
+
 void add_memory_change_verbs(CLI::App& command, const SharedMemoryOptions& shared, int& exit_code) {
+  add_rename(command, shared, exit_code);
   struct Given {
     std::string name;
     bool yes = false;

@@ -8,6 +8,7 @@
 #include <map>
 
 #include "striate/app/trial/trial_plan.hpp"
+#include "striate/base/plain_text.hpp"
 
 namespace striate::app {
 namespace {
@@ -123,23 +124,19 @@ std::string runs_csv(const std::vector<agent::RunResult>& results) {
       "longest_stand_s,mean_cycle_ms,realtime_factor,emergency_layer,baseline,reason,"
       "longest_stand_why\n";
   for (const agent::RunResult& r : results) {
-    csv += fmt::format("{},{},{},{},{},", world_name(r.world), r.seed, name_of(r.outcome),
+    csv += fmt::format("{},{},{},{},{},", csv_cell(world_name(r.world)), r.seed, name_of(r.outcome),
                        r.reached_goal, r.collisions.size());
     if (r.collisions.empty()) {
       csv += ",,,,,,";
     } else {
       const agent::CollisionRecord& hit = r.collisions.front();
-      csv += fmt::format("{},{},{:.3f},{:.2f},{:.3f},{:.3f},", hit.hit, hit.moving, hit.light_level,
-                         hit.time_s, hit.along_m, hit.left_m);
+      csv += fmt::format("{},{},{:.3f},{:.2f},{:.3f},{:.3f},", csv_cell(hit.hit), hit.moving,
+                         hit.light_level, hit.time_s, hit.along_m, hit.left_m);
     }
-    std::string reason = r.reason;
-    std::string stood = r.longest_stand_why;
-    std::replace(reason.begin(), reason.end(), '"', '\'');
-    std::replace(stood.begin(), stood.end(), '"', '\'');
-    csv += fmt::format("{:.3f},{:.2f},{:.4f},{},{:.1f},{:.3f},{:.2f},{},{},\"{}\",\"{}\"\n",
-                       r.distance_m, r.duration_s, r.nearest_pass_m, r.emergency_stops,
-                       r.longest_stand_s, r.mean_cycle_ms, r.realtime_factor, r.emergency_layer,
-                       r.baseline, reason, stood);
+    csv += fmt::format("{:.3f},{:.2f},{:.4f},{},{:.1f},{:.3f},{:.2f},{},{},{},{}\n", r.distance_m,
+                       r.duration_s, r.nearest_pass_m, r.emergency_stops, r.longest_stand_s,
+                       r.mean_cycle_ms, r.realtime_factor, r.emergency_layer, csv_cell(r.baseline),
+                       csv_cell(r.reason), csv_cell(r.longest_stand_why));
   }
   return csv;
 }

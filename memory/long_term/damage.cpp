@@ -3,6 +3,7 @@
 #include <SQLiteCpp/Statement.h>
 #include <fmt/format.h>
 
+#include "striate/base/plain_text.hpp"
 #include "striate/memory/long_term/view_codec.hpp"
 
 namespace striate::memory {
@@ -32,7 +33,7 @@ void check_views(SQLite::Database& database, std::vector<std::string>& damage) {
       "v.crc, v.picture, v.picture_crc FROM landmark_view v LEFT JOIN landmark l "
       "ON l.id = v.landmark ORDER BY v.id");
   while (views.executeStep()) {
-    const std::string name = views.getColumn(1).getString();
+    const std::string name = plain_text(views.getColumn(1).getString());
     const std::int64_t id = views.getColumn(0).getInt64();
     const bool good =
         checksum_of_view(views.getColumn(2).getDouble(), views.getColumn(3).getDouble(),

@@ -7,6 +7,7 @@
 #include "striate/base/user_error.hpp"
 #include "striate/config/quantity.hpp"
 #include "striate/memory/long_term/activation.hpp"
+#include "striate/memory/long_term/teaching.hpp"
 
 namespace striate::memory {
 namespace {
@@ -64,6 +65,20 @@ void restore(MemoryTables& tables, const std::string& name) {
   landmark.pinned = true;
   tables.landmarks.update(landmark);
   note(tables, "restored", name, "");
+}
+
+void rename(MemoryTables& tables, const std::string& name, const std::string& to) {
+  const Landmark landmark = find_landmark(tables, name);
+  check_landmark_name(to);
+  if (tables.landmarks.find(to)) {
+    throw UserError(
+        fmt::format("'{}' is known already\n    forgotten landmarks keep their names, too; "
+                    "'striate memory FILE list --all' lists all",
+                    to));
+  }
+  tables.landmarks.rename(landmark.id, to, landmark.kind);
+  tables.sessions.rename_landmark(name, to);
+  note(tables, "renamed", to, fmt::format("'{}' before", name));
 }
 
 PrunePlan plan_prune(MemoryTables& tables, const LongTermSettings& settings) {

@@ -30,6 +30,10 @@ struct PrunePlan {
   [[nodiscard]] bool empty() const { return retire.empty() && remove.empty() && episodes == 0; }
 };
 
+/// From now on the landmark has another name, with all that is known of it: views, place, routes
+/// and episodes. @throws UserError where there is none of that name, or `to` is taken or no name.
+void rename(MemoryTables& tables, const std::string& name, const std::string& to);
+
 [[nodiscard]] PrunePlan plan_prune(MemoryTables& tables, const LongTermSettings& settings);
 void prune(MemoryTables& tables, const PrunePlan& plan, const LongTermSettings& settings);
 

@@ -4,6 +4,7 @@
 
 #include <cstdlib>
 
+#include "striate/base/plain_text.hpp"
 #include "striate/memory/long_term/statement_use.hpp"
 
 namespace striate::memory {
@@ -20,7 +21,7 @@ Landmark read(const StatementUse& row) {
   Landmark mark;
   mark.id = row.column(0).getInt64();
   mark.session = row.column(1).getInt64();
-  mark.name = row.column(2).getString();
+  mark.name = plain_text(row.column(2).getString());
   mark.kind =
       row.column(3).getString() == "taught" ? LandmarkKind::taught : LandmarkKind::candidate;
   if (!row.column(4).isNull()) {
@@ -34,7 +35,7 @@ Landmark read(const StatementUse& row) {
   mark.history.recent_s = parse_uses(row.column(12).getString());
   mark.pinned = row.column(13).getInt() != 0;
   mark.retired_s = row.maybe(14);
-  mark.retired_why = row.column(15).getString();
+  mark.retired_why = plain_text(row.column(15).getString());
   mark.views = row.column(16).getInt();
   mark.keypoints = row.column(17).getInt();
   return mark;
@@ -83,8 +84,12 @@ std::int64_t LandmarkTable::add(const Landmark& landmark) {
 std::optional<Landmark> LandmarkTable::find(const std::string& name) {
   StatementUse use(find_);
   use.with(name);
-  if (!use.next()) return std::nullopt;
-  return read(use);
+  if (use.next()) return read(use);
+  // A file from elsewhere may hold a name that is no plain text: it answers to what is shown of it.
+  for (Landmark& landmark : all(true)) {
+    if (landmark.name == name) return landmark;
+  }
+  return std::nullopt;
 }
 
 std::vector<Landmark> LandmarkTable::all(bool with_retired) {

@@ -59,7 +59,7 @@ void check_path(const std::string& path) {
 MemoryFile::MemoryFile(std::string path, const MemoryOptions& options) : path_(std::move(path)) {
   check_path(path_);
   if (options.access == Access::session) {
-    lock_.emplace(path_, options.software);
+    lock_.emplace(path_);
   } else if (!std::filesystem::exists(path_)) {
     throw UserError(
         fmt::format("{}: there is no such memory\n    teach something and it is made: "

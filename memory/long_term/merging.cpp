@@ -100,9 +100,14 @@ class Merger {
       merged_.remarks.push_back(fmt::format(
           "'{}' is what is known here as '{}': both are kept as that", landmark.name, same->name));
     }
+    if (same && same->name == landmark.name) tell_if_different(*same, views);
     ++(same ? merged_.joined : merged_.added);
     landmarks_[landmark.id] = same ? join(*same, landmark) : add(landmark);
+    const bool full =
+        same && static_cast<int>(tables_.views.of(same->id).size()) >= settings_.most_views;
     for (StoredView view : views) {
+      // It had its chance when that session was merged: now it would only push others out again.
+      if (full && known_before_.contains(view.session)) continue;
       if (view.damaged) {
         ++merged_.damaged;
         continue;
@@ -116,6 +121,25 @@ class Merger {
         ++merged_.views;
       }
     }
+  }
+
+  /// Two sides of one thing have nothing in common either, so the name decides, but not in silence.
+  void tell_if_different(const Landmark& ours, const std::vector<StoredView>& theirs) {
+    int compared = 0;
+    for (const StoredView& mine : tables_.views.of(ours.id)) {
+      for (const StoredView& view : theirs) {
+        if (mine.damaged || view.damaged) continue;
+        ++compared;
+        if (are_alike(mine, view, comparer_, settings_)) return;
+        if (comparer_.compare(view, mine).inliers >= settings_.alike_inliers) return;
+      }
+    }
+    if (compared == 0) return;
+    merged_.remarks.push_back(
+        fmt::format("'{}': no view of the one looks like any view of the other; if they are two "
+                    "things, take the "
+                    "copy back and rename one first: striate memory FILE rename \"{}\" NEW",
+                    ours.name, ours.name));
   }
 
   std::optional<Landmark> find_alike(const std::vector<StoredView>& views) {

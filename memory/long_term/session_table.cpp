@@ -1,5 +1,6 @@
 #include "striate/memory/long_term/session_table.hpp"
 
+#include "striate/base/plain_text.hpp"
 #include "striate/memory/long_term/statement_use.hpp"
 
 namespace striate::memory {
@@ -38,10 +39,15 @@ SessionTable::SessionTable(SQLite::Database& database)
       episodes_(database,
                 "SELECT id, session, time_s, kind, x_m, y_m, heading_rad, landmark, text "
                 "FROM episode ORDER BY id DESC LIMIT ?"),
+      rename_landmark_(database, "UPDATE episode SET landmark = ? WHERE landmark = ?"),
       count_episodes_(database, "SELECT count(*) FROM episode"),
       keep_newest_(database,
                    "DELETE FROM episode WHERE id NOT IN "
                    "(SELECT id FROM episode ORDER BY id DESC LIMIT ?)") {}
+
+void SessionTable::rename_landmark(const std::string& from, const std::string& to) {
+  StatementUse(rename_landmark_).with(to).with(from).run();
+}
 
 double SessionTable::operating_now_s() {
   StatementUse use(now_);
@@ -91,9 +97,9 @@ std::vector<Session> SessionTable::all() {
     session.started_unix_s = use.column(3).getInt64();
     session.operating_start_s = use.column(4).getDouble();
     session.operating_s = use.column(5).getDouble();
-    session.software = use.column(6).getString();
-    session.settings = use.column(7).getString();
-    session.outcome = use.column(8).getString();
+    session.software = plain_text(use.column(6).getString());
+    session.settings = plain_text(use.column(7).getString());
+    session.outcome = plain_text(use.column(8).getString());
     sessions.push_back(std::move(session));
   }
   return sessions;
@@ -116,12 +122,12 @@ std::vector<Episode> SessionTable::episodes(int most) {
     episode.id = use.column(0).getInt64();
     if (!use.column(1).isNull()) episode.session = use.column(1).getInt64();
     episode.time_s = use.column(2).getDouble();
-    episode.kind = use.column(3).getString();
+    episode.kind = plain_text(use.column(3).getString());
     episode.x_m = use.maybe(4);
     episode.y_m = use.maybe(5);
     episode.heading_rad = use.maybe(6);
-    episode.landmark = use.column(7).getString();
-    episode.text = use.column(8).getString();
+    episode.landmark = plain_text(use.column(7).getString());
+    episode.text = plain_text(use.column(8).getString());
     episodes.push_back(std::move(episode));
   }
   return episodes;

@@ -36,11 +36,13 @@ class SessionTable {
   [[nodiscard]] std::vector<Episode> episodes(int most);
   [[nodiscard]] int count_episodes();
   void keep_newest_episodes(int most);
+  /// In all episodes about it.
+  void rename_landmark(const std::string& from, const std::string& to);
 
  private:
   SQLite::Database& database_;
   SQLite::Statement now_, begin_, note_time_, end_, set_outcome_, all_, add_episode_, episodes_,
-      count_episodes_, keep_newest_;
+      rename_landmark_, count_episodes_, keep_newest_;
 };
 
 }  // namespace striate::memory

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "striate/base/plain_text.hpp"
 #include "striate/base/user_error.hpp"
 #include "striate/memory/long_term/activation.hpp"
 
@@ -102,26 +103,28 @@ void merge_most_alike(MemoryTables& tables, const std::vector<StoredView>& views
 void check_landmark_name(const std::string& name) {
   const bool shape =
       !name.empty() && name.size() <= 64 && name.front() != ' ' && name.back() != ' ';
-  const bool letters = std::none_of(name.begin(), name.end(), [](char letter) {
-    const auto code = static_cast<unsigned char>(letter);
-    return code < 32 || code == 127;
-  });
-  if (shape && letters) return;
+  if (shape && is_plain_text(name)) return;
   throw UserError(
-      fmt::format("'{}' is no name for a landmark\n    1 to 64 letters, without line breaks and "
-                  "without blanks at its ends",
-                  letters ? name : "?"));
+      fmt::format("'{}' is no name for a landmark\n    1 to 64 bytes of UTF-8 that a terminal "
+                  "shows as they are: "
+                  "no line breaks, control characters or blanks at its ends",
+                  plain_text(name)));
+}
+
+bool are_alike(const StoredView& a, const StoredView& b, ViewComparer& comparer,
+               const LongTermSettings& settings) {
+  // Made from the same image, also where too few keypoints are left to agree on a pose.
+  if (a.descriptors == b.descriptors && a.keypoints == b.keypoints) return true;
+  const Agreement agreement = comparer.compare(a, b);
+  return agreement.inliers >= settings.alike_inliers && agreement.share >= settings.alike_share;
 }
 
 bool add_view(MemoryTables& tables, const StoredView& view, ViewComparer& comparer,
               const LongTermSettings& settings) {
   std::vector<StoredView> old = tables.views.of(view.landmark);
   for (const StoredView& one : old) {
-    const Agreement agreement = comparer.compare(view, one);
     // The old one stays: so the teaching can be undone.
-    if (agreement.inliers >= settings.alike_inliers && agreement.share >= settings.alike_share) {
-      return false;
-    }
+    if (are_alike(view, one, comparer, settings)) return false;
   }
   tables.views.add(view);
   if (static_cast<int>(old.size()) < settings.most_views) return true;

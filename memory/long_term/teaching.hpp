@@ -28,6 +28,10 @@ void check_landmark_name(const std::string& name);
 [[nodiscard]] Taught teach(MemoryTables& tables, const Session& session, const std::string& name,
                            const std::vector<StoredView>& views, const LongTermSettings& settings);
 
+/// The same view of the same thing: one of them is enough.
+[[nodiscard]] bool are_alike(const StoredView& a, const StoredView& b, ViewComparer& comparer,
+                             const LongTermSettings& settings);
+
 /// Adds a view to a landmark. A view alike to an old one is left out; of too many views, of the two
 /// most alike the one with fewer keypoints goes.
 /// @return whether the landmark has one view more than before.

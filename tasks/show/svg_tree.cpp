@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "striate/tasks/show/escape.hpp"
+#include "striate/base/plain_text.hpp"
 #include "striate/tasks/show/outline.hpp"
 
 namespace striate::tasks {
@@ -76,7 +76,7 @@ class Drawing {
   }
   void text(int x, int y, const std::string& words, const char* colour) {
     body_ += fmt::format("<text x=\"{}\" y=\"{}\" fill=\"{}\">{}</text>\n", x, y + 17, colour,
-                         escaped(words));
+                         xml_text(words));
   }
 
   std::string body_;

@@ -3,8 +3,8 @@
 #include <map>
 #include <set>
 
+#include "striate/base/plain_text.hpp"
 #include "striate/config/quantity.hpp"
-#include "striate/tasks/show/escape.hpp"
 #include "striate/tasks/show/outline.hpp"
 
 namespace striate::tasks {
@@ -22,7 +22,7 @@ class XmlWriter {
     return fmt::format(
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
         "<root BTCPP_format=\"4\" main_tree_to_execute=\"{}\">\n{}{}</root>\n",
-        escaped(task.name), trees_, models());
+        xml_text(task.name), trees_, models());
   }
 
  private:
@@ -42,7 +42,7 @@ class XmlWriter {
       for (const Outline& guard : part.children) this->guard(guard);
     }
     close("Task");
-    trees_ += fmt::format("  <BehaviorTree ID=\"{}\">\n{}  </BehaviorTree>\n", escaped(id), body_);
+    trees_ += fmt::format("  <BehaviorTree ID=\"{}\">\n{}  </BehaviorTree>\n", xml_text(id), body_);
     body_.swap(outer);
     depth_ = outer_depth;
   }
@@ -145,7 +145,7 @@ class XmlWriter {
     }
     body_ += std::string(2 * static_cast<std::size_t>(depth_), ' ') + "<" + id;
     for (const auto& [key, value] : attributes) {
-      body_ += fmt::format(" {}=\"{}\"", key, escaped(value));
+      body_ += fmt::format(" {}=\"{}\"", key, xml_text(value));
     }
     body_ += end == nullptr ? ">\n" : end;
     if (end == nullptr) ++depth_;

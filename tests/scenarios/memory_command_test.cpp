@@ -1,4 +1,5 @@
 #include <SQLiteCpp/Database.h>
+#include <SQLiteCpp/SQLiteCpp.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -114,6 +115,53 @@ TEST(MemoryCommand, AMemoryIsAFileThatKeepsWhatItIsGiven) {
     const Ended listed = striate({"memory", nowhere, "list"});
     EXPECT_EQ(listed.exit_code, 2) << nowhere;
   }
+}
+
+TEST(MemoryCommand, RenameKeepsAllThatIsKnown) {
+  const TemporaryFolder folder;
+  const std::string file = folder / "home.db";
+  teach(file, "book", image_of_a_thing(folder, 1));
+  teach(file, "cup", image_of_a_thing(folder, 2));
+  EXPECT_THAT(memory(file, {"rename", "book", "red book"}).out, HasSubstr("red book: renamed"));
+  const nlohmann::json list = memory_json(file, {"list"});
+  ASSERT_EQ(list.size(), 2U);
+  EXPECT_EQ(list[1].at("name"), "red book");
+  EXPECT_EQ(list[1].at("views"), 1);
+  EXPECT_THAT(memory(file, {"episodes"}).out, testing::Not(HasSubstr("taught    book")));
+  EXPECT_EQ(memory(file, {"rename", "book", "x"}).exit_code, 2);
+  EXPECT_THAT(memory(file, {"rename", "red book", "cup"}).err, HasSubstr("known already"));
+  EXPECT_EQ(memory(file, {"rename", "cup", "x\x1b[2J"}).exit_code, 2);
+}
+
+TEST(MemoryCommand, NamesFromElsewhereAreShownAsPlainTextAndExportApart) {
+  const TemporaryFolder folder;
+  const std::string file = folder / "home.db";
+  const char* raw[] = {"a\xfe", "a\xff", "\x1b[2Jx", "y\xe2\x80\xae", "z\xc2\x9b"};
+  for (int k = 0; k < 5; ++k) {
+    teach(file, "thing " + std::to_string(k), image_of_a_thing(folder, k));
+  }
+  {
+    SQLite::Database database(file, SQLite::OPEN_READWRITE);
+    for (int k = 0; k < 5; ++k) {
+      SQLite::Statement rename(database, "UPDATE landmark SET name = ? WHERE name = ?");
+      rename.bind(1, std::string(raw[k]));
+      rename.bind(2, "thing " + std::to_string(k));
+      rename.exec();
+    }
+  }
+  const std::string out = memory(file, {"list"}).out + memory(file, {"list", "--json"}).out;
+  for (const char* part : {"\xfe", "\xff", "\x1b", "\xe2\x80\xae", "\xc2\x9b"}) {
+    EXPECT_EQ(out.find(part), std::string::npos) << part;
+  }
+  EXPECT_THAT(out, HasSubstr("a\\xFE"));
+  const std::string exported = folder / "all.json";
+  ASSERT_EQ(memory(file, {"export", exported}).exit_code, 0);
+  const std::string copy = folder / "copy.db";
+  const Ended imported = memory(copy, {"import", exported});
+  ASSERT_EQ(imported.exit_code, 0) << imported.err;
+  EXPECT_EQ(memory_json(copy, {"list"}).size(), 5U);
+  EXPECT_EQ(memory(file, {"rename", "a\\xFE", "first"}).exit_code, 0);
+  EXPECT_EQ(memory(file, {"forget", "first"}).exit_code, 0);
 }
 
 TEST(MemoryCommand, ForgetRestoreAndPrune) {

@@ -189,6 +189,21 @@ TEST(Yaml, AQuoteThatIsNotClosedIsToldWhereItOpens) {
   }
 }
 
+TEST(Yaml, TextThatNoTerminalShowsIsRefusedAndNotEchoed) {
+  for (const char* text :
+       {"a: \"x\\e[2Jy\"\n", "a: x\xffy\n", "a: \"x\\u202ey\"\n", "\"a\\x9b\": 1\n"}) {
+    Diagnostics diagnostics("f.yaml");
+    (void)parse_yaml(text, diagnostics);
+    EXPECT_THAT(diagnostics.text(), HasSubstr("f.yaml:1:")) << text;
+    for (const char letter : diagnostics.text()) {
+      EXPECT_TRUE(letter == '\n' || (letter >= ' ' && letter <= '~')) << diagnostics.text();
+    }
+  }
+  Diagnostics diagnostics("f.yaml");
+  (void)parse_yaml("a: |\n  two\n  lines\nb: Büchlein\n", diagnostics);
+  EXPECT_TRUE(diagnostics.none()) << diagnostics.text();
+}
+
 TEST(Yaml, SaysWhichFileIsMissing) {
   Diagnostics diagnostics("/nowhere/x.yaml");
   load_yaml(diagnostics);

@@ -48,7 +48,7 @@ TEST(MemoryFile, WhatIsNotThereIsSaidWithTheWayToMakeIt) {
   EXPECT_THAT(sentence_of([&] { Opened(folder.path(), Access::session); }),
               HasSubstr("a folder, not a memory"));
   EXPECT_THAT(sentence_of([&] { Opened(folder / "no/such/home.db", Access::session); }),
-              HasSubstr("nothing can be written beside it"));
+              HasSubstr("it cannot be written"));
 }
 
 TEST(MemoryFile, AForeignDatabaseIsRefusedAndNotTouched) {
@@ -122,8 +122,23 @@ TEST(MemoryFile, TheSecondWriterIsToldWhoTheFirstIs) {
   const std::string file = folder / "home.db";
   const MemoryWriter first(file, options(Access::session));
   EXPECT_THAT(sentence_of([&] { MemoryWriter(file, options(Access::session)); }),
-              AllOf(HasSubstr("striate test (process "), HasSubstr("is writing into this memory"),
+              AllOf(HasSubstr("unit_memory (process "), HasSubstr("is writing into this memory"),
                     HasSubstr("wait until it has ended")));
+}
+
+TEST(MemoryFile, TheSecondWriterIsMetByWhateverNameItComes) {
+  const Folder folder;
+  const std::string file = folder / "home.db";
+  const MemoryWriter first(file, options(Access::session));
+  std::filesystem::create_symlink(file, folder / "link.db");
+  std::filesystem::create_hard_link(file, folder / "hard.db");
+  std::filesystem::create_directory(folder / "sub");
+  for (const std::string& name : {std::string("link.db"), std::string("hard.db"),
+                                  std::string("sub/../home.db"), std::string("./home.db")}) {
+    EXPECT_THAT(sentence_of([&] { MemoryWriter(folder / name, options(Access::session)); }),
+                HasSubstr("is writing into this memory"))
+        << name;
+  }
 }
 
 TEST(MemoryFile, AReaderAndAnEditGoOnWhileASessionWrites) {
@@ -190,7 +205,7 @@ TEST(MemoryFile, ASessionThatDidNotEndIsMarkedAndTheFileChecked) {
   EXPECT_EQ(memory.tables.sessions.all().front().state, SessionState::crashed);
 }
 
-TEST(MemoryFile, LeavesNothingBesideItButTheLock) {
+TEST(MemoryFile, LeavesNothingBesideIt) {
   const Folder folder;
   const std::string file = folder / "home.db";
   { Opened memory(file, Access::session); }
@@ -199,7 +214,7 @@ TEST(MemoryFile, LeavesNothingBesideItButTheLock) {
   for (const auto& entry : std::filesystem::directory_iterator(folder.path())) {
     names.push_back(entry.path().filename());
   }
-  EXPECT_THAT(names, testing::UnorderedElementsAre("home.db", "home.db-lock"));
+  EXPECT_THAT(names, testing::UnorderedElementsAre("home.db"));
 }
 
 }  // namespace

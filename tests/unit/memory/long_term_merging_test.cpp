@@ -30,7 +30,9 @@ TEST(Merging, TheSameObjectTaughtTwiceIsOneLandmarkWithBothViews) {
   EXPECT_EQ(merged.added, 1);
   EXPECT_EQ(merged.joined, 2);
   EXPECT_EQ(merged.views, 3);
-  EXPECT_THAT(merged.remarks, ElementsAre(HasSubstr("'cover' is what is known here as 'book'")));
+  EXPECT_THAT(merged.remarks,
+              ElementsAre(HasSubstr("'book': no view of the one looks like any view of the other"),
+                          HasSubstr("'cover' is what is known here as 'book'")));
   EXPECT_EQ(ours.tables.landmarks.find("book")->views, 3);
   EXPECT_EQ(ours.tables.landmarks.find("cup")->views, 1);
   ASSERT_EQ(ours.tables.places.routes().size(), 1U);
@@ -46,13 +48,68 @@ TEST(Merging, APositionComesAlongWhereThereIsNoMapAndBringsAForgottenOneBack) {
   forget(ours.tables, "book", "asked for");
   add_landmark(theirs.tables, "book", 2);
   Landmark book = *theirs.tables.landmarks.find("book");
-  EXPECT_THAT(merge(ours.tables, theirs.tables, {}).remarks, IsEmpty());
+  EXPECT_THAT(merge(ours.tables, theirs.tables, {}).remarks,
+              ElementsAre(HasSubstr("no view of the one looks like")));
   EXPECT_EQ(ours.tables.landmarks.find("book")->retired_why, "");
   book.position = MapPosition{1.5, -2.0, 0.04, 0.01, 0.09};
   theirs.tables.landmarks.update(book);
   EXPECT_THAT(merge(ours.tables, theirs.tables, {}).remarks, IsEmpty());
   EXPECT_EQ(ours.tables.landmarks.find("book")->position->x_m, 1.5);
   EXPECT_THAT(merge(ours.tables, theirs.tables, {}).remarks, IsEmpty());
+}
+
+TEST(Merging, AViewThatIsHereAlreadyNeverComesInAgain) {
+  const Folder folder;
+  Opened ours(folder / "a.db", Access::session);
+  Opened theirs(folder / "b.db", Access::session);
+  // Too little in common for the rule of recognition: equal all the same.
+  const StoredView poor = scattered_view(4, 10);
+  LongTermSettings settings;
+  settings.least_keypoints = 5;
+  const std::vector<StoredView> all = {scattered_view(1, 80), scattered_view(2, 80),
+                                       scattered_view(3, 80), poor};
+  for (Opened* memory : {&ours, &theirs}) {
+    const Session session =
+        memory->tables.sessions.begin(SessionKind::teach, "striate", "", memory == &ours ? 5 : 6);
+    (void)teach(memory->tables, session, "book", memory == &ours ? all : std::vector{poor},
+                settings);
+    memory->tables.sessions.end(session.id, 0.0, "kept");
+  }
+  for (int k = 0; k < 6; ++k) {
+    EXPECT_EQ(merge(ours.tables, theirs.tables, settings).views, 0) << k;
+    EXPECT_EQ(ours.tables.landmarks.find("book")->views, 4) << k;
+  }
+}
+
+TEST(Merging, WhatHadNoRoomPushesNothingOutTheNextTime) {
+  const Folder folder;
+  Opened ours(folder / "a.db", Access::session);
+  Opened theirs(folder / "b.db", Access::session);
+  LongTermSettings settings;
+  settings.most_views = 3;
+  for (Opened* memory : {&ours, &theirs}) {
+    const unsigned from = memory == &ours ? 1 : 11;
+    const Session session =
+        memory->tables.sessions.begin(SessionKind::teach, "striate", "", 5 + from);
+    (void)teach(
+        memory->tables, session, "book",
+        {scattered_view(from, 80), scattered_view(from + 1, 60), scattered_view(from + 2, 70)},
+        settings);
+    memory->tables.sessions.end(session.id, 0.0, "kept");
+  }
+  (void)merge(ours.tables, theirs.tables, settings);
+  const auto views = [&] {
+    std::vector<std::int64_t> ids;
+    for (const StoredView& view : ours.tables.views.of(ours.tables.landmarks.find("book")->id)) {
+      ids.push_back(view.id);
+    }
+    return ids;
+  };
+  const std::vector<std::int64_t> once = views();
+  for (int k = 0; k < 3; ++k) {
+    EXPECT_TRUE(merge(ours.tables, theirs.tables, settings).nothing_new());
+    EXPECT_EQ(views(), once);
+  }
 }
 
 /// All rows of all tables, as text.
@@ -123,7 +180,7 @@ TEST(Merging, TwoLandmarksOnBothMapsPutTheOtherMapOnOurs) {
     add_landmark(theirs.tables, name, ++k);
     put_at(theirs.tables, name, at);
     if (std::string(name) == "lamp") continue;
-    add_landmark(ours.tables, name, 100 + k);
+    add_landmark(ours.tables, name, k);
     put_at(ours.tables, name,
            std::string(name) == "moved" ? Point2{50, 50} : transform(origin, at));
   }
@@ -147,7 +204,7 @@ TEST(Merging, AMapThatCannotBePutOnOursIsLeftOutAndSaidSo) {
     add_landmark(theirs.tables, name, ++k);
     put_at(theirs.tables, name, {static_cast<double>(k), 0.0});
   }
-  add_landmark(ours.tables, "book", 7);
+  add_landmark(ours.tables, "book", 1);
   put_at(ours.tables, "book", {20.0, 0.0});
   EXPECT_THAT(merge(ours.tables, theirs.tables, {}).remarks,
               ElementsAre(HasSubstr("1 positions and 0 obstacle cells")));
