@@ -24,7 +24,7 @@ DeviceThread::~DeviceThread() {
 void DeviceThread::care_for_the_line(TimePoint now) {
   if (line_->is_open()) {
     if (!was_open_) {
-      device_.line_up();
+      device_.line_up(now);
       trouble_.put({});
     }
     was_open_ = true;

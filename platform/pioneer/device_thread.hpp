@@ -16,7 +16,7 @@ class Device {
  public:
   virtual ~Device() = default;
   /// The line is open, from its beginning.
-  virtual void line_up() {}
+  virtual void line_up(TimePoint /*now*/) {}
   virtual void receive(ByteView bytes, TimePoint now) = 0;
   virtual void tick(TimePoint now) = 0;
   [[nodiscard]] virtual Bytes take_output() { return {}; }

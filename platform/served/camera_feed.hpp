@@ -1,6 +1,5 @@
 #pragma once
 
-#include <chrono>
 #include <condition_variable>
 #include <functional>
 #include <mutex>
@@ -8,6 +7,7 @@
 #include <thread>
 
 #include "striate/base/bytes.hpp"
+#include "striate/base/time.hpp"
 #include "striate/platform/simulator/image_source.hpp"
 
 namespace striate::served {
@@ -17,15 +17,14 @@ namespace striate::served {
 /// as with a camera that cannot keep up.
 class CameraFeed {
  public:
-  using Steady = std::chrono::steady_clock;
   /// A moment to be seen.
   struct Exposure {
     simulator::SceneState scene;
     std::uint32_t number = 0;
-    Steady::time_point at;
+    TimePoint at;  ///< by the machine's clock, SteadyClock::since_boot()
   };
   /// Gets a packet of the image stream, without its age; called in the feed's thread.
-  using Ready = std::function<void(Bytes packet, Steady::time_point exposed_at)>;
+  using Ready = std::function<void(Bytes packet, TimePoint exposed_at)>;
 
   /// `images` must outlive this; nobody else may use it.
   CameraFeed(simulator::ImageSource& pictures, Ready ready);

@@ -5,6 +5,7 @@
 #include <optional>
 #include <thread>
 
+#include "striate/base/steady_clock.hpp"
 #include "striate/platform/pioneer/camera/image_stream.hpp"
 #include "striate/platform/served/camera_feed.hpp"
 #include "striate/platform/served/served_line.hpp"
@@ -14,6 +15,11 @@ namespace {
 
 namespace asio = boost::asio;
 using Steady = std::chrono::steady_clock;
+
+/// By which images are as old as they are, also where the machine slept in between.
+TimePoint machine_time() {
+  return TimePoint(SteadyClock::since_boot());
+}
 
 /// Later than this the clock is set anew instead of catching up in a burst.
 constexpr auto kMostLate = std::chrono::milliseconds(200);
@@ -35,6 +41,7 @@ struct RobotServer::Parts {
   void serve_base();
   void serve_devices();
   void serve_images();
+  void answer_camera(ByteView bytes);
   void watch_the_judge();
   void one_step();
   void tell();
@@ -57,10 +64,12 @@ struct RobotServer::Parts {
   std::optional<FaultyWay> to_client;
   struct Packet {
     Bytes bytes;
-    Steady::time_point exposed_at;
+    TimePoint exposed_at;
   };
   std::deque<Packet> images_under_way;
   std::uint32_t exposures = 0;
+  pioneer::image_stream::QuestionReader camera_questions;
+  bool camera_tells_time = false;  ///< its client has asked
 
   mutable std::mutex mutex;
   ServedState state;
@@ -84,9 +93,14 @@ RobotServer::Parts::Parts(ServedPioneer& robot_in, simulator::ImageSource* pictu
                 [this](ByteView bytes) { robot.laser().receive(bytes); }, log});
   urls = {base->url(), turret->url(), laser->url(), {}};
   if (pictures == nullptr) return;
-  camera = line("camera", kCameraPort, {[] {}, [](ByteView) {}, log});
+  const auto new_client = [this] {
+    camera_questions.clear();
+    camera_tells_time = false;
+  };
+  camera = line("camera", kCameraPort,
+                {new_client, [this](ByteView bytes) { answer_camera(bytes); }, log});
   urls.camera = camera->url();
-  feed.emplace(*pictures, [this](Bytes bytes, Steady::time_point exposed_at) {
+  feed.emplace(*pictures, [this](Bytes bytes, TimePoint exposed_at) {
     asio::post(io, [this, packet = Packet{std::move(bytes), exposed_at}]() mutable {
       images_under_way.push_back(std::move(packet));
     });
@@ -131,21 +145,34 @@ void RobotServer::Parts::serve_devices() {
   if (!due(settings.devices.laser_silent_at_s)) laser->write(std::move(scan));
 }
 
+void RobotServer::Parts::answer_camera(ByteView bytes) {
+  camera_questions.push(bytes);
+  for (auto question = camera_questions.next(); question; question = camera_questions.next()) {
+    camera_tells_time = true;
+    camera->write(pioneer::image_stream::tell_time(*question, machine_time().time_since_epoch()));
+  }
+}
+
 void RobotServer::Parts::serve_images() {
   const bool exposes = robot.exposes();
   if (!camera) return;
   if (exposes && camera->has_client()) {
-    feed->expose({robot.scene(), exposures++, Steady::now()});
+    feed->expose({robot.scene(), exposures++, machine_time()});
   }
-  const auto latency =
-      std::chrono::duration_cast<Steady::duration>(from_seconds(settings.camera_latency_s));
+  const Duration latency = from_seconds(settings.camera_latency_s);
   while (!images_under_way.empty()) {
     Packet& packet = images_under_way.front();
-    const Steady::duration age = Steady::now() - packet.exposed_at;
+    const TimePoint now = machine_time();
+    const Duration age = now - packet.exposed_at;
     if (age < latency) return;
     pioneer::image_stream::set_age(packet.bytes, age);
     // A client that is too slow for all of them gets the newer ones.
-    if (camera->idle()) camera->write(std::move(packet.bytes));
+    if (camera->idle()) {
+      if (camera_tells_time) {
+        camera->write(pioneer::image_stream::tell_time(0, now.time_since_epoch()));
+      }
+      camera->write(std::move(packet.bytes));
+    }
     images_under_way.pop_front();
   }
 }

@@ -79,6 +79,7 @@ double ServedPioneer::laser_range_m(double bearing_rad) const {
 
 void ServedPioneer::turn_the_urg() {
   const pioneer::scip::Parameters& urg = urg_.parameters();
+  urg_.set_time(now());
   if (!urg_.measures(now())) return;
   urg_ranges_mm_.clear();
   for (int step = urg.first_step; step <= urg.last_step; ++step) {

@@ -76,9 +76,11 @@ class BumblebeeSource final : public FrameSource {
     const std::span<const std::uint8_t> raw(frame->image, frame->image_bytes);
     const bool whole = dc1394_capture_is_frame_corrupt(camera_, frame) == DC1394_FALSE &&
                        split_bumblebee(raw, size, left, right);
+    taken_at_ = std::chrono::microseconds(frame->timestamp);
     must(dc1394_capture_enqueue(camera_, frame), "picture");
     return whole;
   }
+  [[nodiscard]] std::optional<Duration> taken_at() const override { return taken_at_; }
 
  private:
   std::uint64_t first_guid() {
@@ -107,6 +109,7 @@ class BumblebeeSource final : public FrameSource {
   std::uint64_t guid_;
   dc1394_t* library_;
   dc1394camera_t* camera_ = nullptr;
+  std::optional<Duration> taken_at_;
 };
 
 }  // namespace

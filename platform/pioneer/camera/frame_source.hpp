@@ -2,7 +2,10 @@
 
 #include <memory>
 #include <opencv2/core/mat.hpp>
+#include <optional>
 #include <string>
+
+#include "striate/base/time.hpp"
 
 namespace striate::pioneer {
 
@@ -15,6 +18,9 @@ class FrameSource {
   virtual void close() = 0;
   /// Waits for the next pair, a second or two at most. False: none came, or they are over.
   [[nodiscard]] virtual bool grab(cv::Mat3b& left, cv::Mat3b& right) = 0;
+  /// When the newest pair was taken, by the source's own clock; nothing: it does not say. Pairs
+  /// wait in the source's buffers while nobody grabs them, and are older than they look.
+  [[nodiscard]] virtual std::optional<Duration> taken_at() const { return std::nullopt; }
 };
 
 /// Any camera or file that OpenCV's VideoCapture opens: one that shows both eyes side by side, or

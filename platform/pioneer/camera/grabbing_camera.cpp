@@ -1,5 +1,6 @@
 #include "striate/platform/pioneer/camera/grabbing_camera.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <exception>
 #include <opencv2/imgproc.hpp>
@@ -41,9 +42,19 @@ StereoFrame GrabbingCamera::as_it_is(const cv::Mat3b& left, const cv::Mat3b& rig
   return frame;
 }
 
+/// By the source's own clock, where it has one: the pair that waited least tells how it lies to
+/// ours.
+TimePoint GrabbingCamera::taken_at() {
+  const TimePoint now = clock_.now();
+  const auto taken = source_->taken_at();
+  if (!taken) return now;
+  source_clock_.heard(*taken, now);
+  return std::min(now, source_clock_.at(*taken));
+}
+
 void GrabbingCamera::hand_on(const cv::Mat3b& left, const cv::Mat3b& right) {
   StereoFrame frame;
-  const TimePoint stamp = clock_.now() - from_seconds(settings_.latency_s);
+  const TimePoint stamp = taken_at() - from_seconds(settings_.latency_s);
   const cv::Mat3b& seen_left = settings_.swap ? right : left;
   const cv::Mat3b& seen_right = settings_.swap ? left : right;
   if (rectifier_) {
@@ -59,6 +70,7 @@ void GrabbingCamera::grab_on() {
   cv::Mat3b left;
   cv::Mat3b right;
   source_->open();
+  source_clock_.begin_anew();
   while (!ends_) {
     if (!source_->grab(left, right)) {
       trouble_.put("no more images come");

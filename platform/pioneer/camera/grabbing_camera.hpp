@@ -9,6 +9,7 @@
 #include "striate/platform/pioneer/camera/rectifier.hpp"
 #include "striate/platform/pioneer/camera/stereo_camera.hpp"
 #include "striate/platform/pioneer/camera/stereo_camera_settings.hpp"
+#include "striate/platform/pioneer/line_clock.hpp"
 #include "striate/platform/pioneer/mailbox.hpp"
 
 namespace striate::pioneer {
@@ -30,12 +31,14 @@ class GrabbingCamera final : public StereoCamera {
   void run();
   void grab_on();
   void hand_on(const cv::Mat3b& left, const cv::Mat3b& right);
+  [[nodiscard]] TimePoint taken_at();
   [[nodiscard]] StereoFrame as_it_is(const cv::Mat3b& left, const cv::Mat3b& right) const;
 
   std::unique_ptr<FrameSource> source_;
   StereoCameraSettings settings_;
   const Clock& clock_;
   std::optional<Rectifier> rectifier_;
+  LineClock source_clock_;
   Mailbox<StereoFrame> newest_;
   Mailbox<std::string> trouble_;
   std::atomic<bool> ends_{false};

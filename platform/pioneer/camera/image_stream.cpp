@@ -7,8 +7,16 @@
 namespace striate::pioneer::image_stream {
 namespace {
 
-/// First bytes of every packet; image_stream.hpp
+/// First bytes of every image's packet; image_stream.hpp
 constexpr std::array<std::uint8_t, 4> kMagic{'S', 'T', 'P', 'P'};
+/// First bytes of questions and of times; image_stream.hpp
+constexpr std::array<std::uint8_t, 4> kTimeMagic{'S', 'T', 'P', 'E'};
+constexpr std::size_t kQuestion = 8;  // bytes of a question; image_stream.hpp
+constexpr std::size_t kTime = 16;     // bytes of a time; image_stream.hpp
+/// Of the other side's questions, so much waits at most: one comes four times a second
+constexpr std::size_t kMostQuestions = 4096;
+/// 200 years: fits in the nanoseconds of a Duration, and is more than a clock since its start shows
+constexpr std::uint64_t kLatest_us = 1000ULL * 1000ULL * 86400ULL * 365ULL * 200ULL;
 constexpr double kMilli = 1e-3;  // units of the header: ms, and 1/1000 px
 constexpr double kMicro = 1e-6;  // units of the header: us and um
 
@@ -23,6 +31,7 @@ void append_rows(Bytes& to, const cv::Mat3b& image) {
 
 struct Header {
   std::uint32_t number = 0;
+  std::uint32_t stamp_ms = 0;
   std::uint32_t age_us = 0;
   std::uint32_t encoding = 0;
   int width_px = 0;
@@ -44,7 +53,7 @@ Header read_header(ByteView bytes) {
   ByteReader reader(bytes.subspan(kMagic.size()), ByteReader::Beyond::zero);
   Header header;
   header.number = reader.u32();
-  (void)reader.u32();
+  header.stamp_ms = reader.u32();
   header.age_us = reader.u32();
   header.encoding = reader.u32();
   header.width_px = reader.u16();
@@ -88,6 +97,24 @@ void set_age(Bytes& packet, Duration age) {
   std::copy(writer.bytes().begin(), writer.bytes().end(), packet.begin() + kAgeAt);
 }
 
+Bytes ask(std::uint32_t question) {
+  ByteWriter writer;
+  for (const std::uint8_t byte : kTimeMagic) writer.u8(byte);
+  writer.u32(question);
+  return writer.bytes();
+}
+
+Bytes tell_time(std::uint32_t question, Duration sender_clock) {
+  const auto us = static_cast<std::uint64_t>(
+      std::chrono::duration_cast<std::chrono::microseconds>(sender_clock).count());
+  ByteWriter writer;
+  for (const std::uint8_t byte : kTimeMagic) writer.u8(byte);
+  writer.u32(question);
+  writer.u32(static_cast<std::uint32_t>(us & 0xffffffffU));
+  writer.u32(static_cast<std::uint32_t>(us >> 32U));
+  return writer.bytes();
+}
+
 void Reader::push(ByteView bytes) {
   if (at_ > 0) {
     buffer_.erase(buffer_.begin(), buffer_.begin() + static_cast<std::ptrdiff_t>(at_));
@@ -99,44 +126,90 @@ void Reader::push(ByteView bytes) {
 void Reader::clear() {
   buffer_.clear();
   at_ = 0;
+  told_.reset();
+  answers_.clear();
 }
 
-bool Reader::find_header() {
+Reader::Found Reader::find() {
+  constexpr std::size_t kSame = kMagic.size() - 1;  // the two kinds differ in the last byte
   while (at_ < buffer_.size()) {
     const std::size_t left = buffer_.size() - at_;
     const auto begin = buffer_.begin() + static_cast<std::ptrdiff_t>(at_);
-    const std::size_t known = std::min(left, kMagic.size());
+    const std::size_t known = std::min(left, kSame);
     if (std::equal(begin, begin + static_cast<std::ptrdiff_t>(known), kMagic.begin())) {
-      return left >= kHeader;
+      if (left <= kSame) return Found::nothing;
+      if (begin[kSame] == kMagic[kSame]) return left >= kHeader ? Found::image : Found::nothing;
+      if (begin[kSame] == kTimeMagic[kSame]) return left >= kTime ? Found::time : Found::nothing;
     }
     ++at_;
     ++counters_.junk_bytes;
   }
-  return false;
+  return Found::nothing;
+}
+
+void Reader::take_time() {
+  ByteReader reader(ByteView(buffer_).subspan(at_ + kTimeMagic.size()), ByteReader::Beyond::zero);
+  const std::uint32_t question = reader.u32();
+  const std::uint64_t low = reader.u32();
+  const std::uint64_t high = reader.u32();
+  // Junk that passes for a time must fit in a Duration's nanoseconds.
+  const auto sent = std::chrono::microseconds((high << 32U | low) % kLatest_us);
+  at_ += kTime;
+  if (question == 0) {
+    told_ = sent;
+  } else {
+    answers_.push_back({question, sent});
+  }
+}
+
+std::optional<Image> Reader::take_image() {
+  const ByteView left = ByteView(buffer_).subspan(at_);
+  const Header header = read_header(left.first(kHeader));
+  if (left.size() < kHeader + header.size) return std::nullopt;
+  Image image;
+  image.frame = header.frame;
+  image.number = header.number;
+  image.age = std::chrono::microseconds(header.age_us);
+  image.stamp = std::chrono::milliseconds(header.stamp_ms);
+  image.sent = std::exchange(told_, std::nullopt);
+  for (cv::Mat3b* eye : {&image.frame.left, &image.frame.right}) {
+    const std::size_t from = kHeader + (eye == &image.frame.left ? 0 : header.one_image());
+    eye->create(header.height_px, header.width_px);
+    std::memcpy(eye->data, left.data() + from, header.one_image());
+  }
+  at_ += kHeader + header.size;
+  ++counters_.pictures;
+  return image;
 }
 
 std::optional<Image> Reader::next() {
-  while (find_header()) {
-    const ByteView left = ByteView(buffer_).subspan(at_);
-    const Header header = read_header(left.first(kHeader));
-    if (!header.makes_sense()) {
+  for (Found found = find(); found != Found::nothing; found = find()) {
+    if (found == Found::time) {
+      take_time();
+    } else if (!read_header(ByteView(buffer_).subspan(at_, kHeader)).makes_sense()) {
       ++counters_.bad_headers;
       ++at_;
-      continue;
+    } else {
+      return take_image();
     }
-    if (left.size() < kHeader + header.size) return std::nullopt;
-    Image image;
-    image.frame = header.frame;
-    image.number = header.number;
-    image.age = std::chrono::microseconds(header.age_us);
-    for (cv::Mat3b* eye : {&image.frame.left, &image.frame.right}) {
-      const std::size_t from = kHeader + (eye == &image.frame.left ? 0 : header.one_image());
-      eye->create(header.height_px, header.width_px);
-      std::memcpy(eye->data, left.data() + from, header.one_image());
+  }
+  return std::nullopt;
+}
+
+std::optional<std::uint32_t> QuestionReader::next() {
+  while (buffer_.size() >= kQuestion) {
+    if (std::equal(kTimeMagic.begin(), kTimeMagic.end(), buffer_.begin())) {
+      ByteReader reader(ByteView(buffer_).subspan(kTimeMagic.size()), ByteReader::Beyond::zero);
+      const std::uint32_t question = reader.u32();
+      buffer_.erase(buffer_.begin(), buffer_.begin() + kQuestion);
+      return question;
     }
-    at_ += kHeader + header.size;
-    ++counters_.pictures;
-    return image;
+    // What is no question is nothing at all.
+    if (buffer_.size() > kMostQuestions) {
+      buffer_.clear();
+    } else {
+      buffer_.erase(buffer_.begin());
+    }
   }
   return std::nullopt;
 }

@@ -54,6 +54,15 @@ class VideoSource final : public FrameSource {
     return hand_out(left_.colRange(0, half), left_.colRange(half, 2 * half), left, right);
   }
 
+  /// A device's driver notes when a buffer was filled; a file has no clock.
+  [[nodiscard]] std::optional<Duration> taken_at() const override {
+    if (is_file_) return std::nullopt;
+    const double taken_ms = captures_.front().get(cv::CAP_PROP_POS_MSEC);
+    if (!(taken_ms > 0.0)) return std::nullopt;
+    return std::chrono::duration_cast<Duration>(
+        std::chrono::duration<double, std::milli>(taken_ms));
+  }
+
  private:
   static bool hand_out(const cv::Mat& from_left, const cv::Mat& from_right, cv::Mat3b& left,
                        cv::Mat3b& right) {
