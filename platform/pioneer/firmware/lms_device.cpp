@@ -41,6 +41,11 @@ void LmsDevice::obey(const lms200::Telegram& telegram) {
       scanning_ = mode == 0x24;
       reply({0xa0, 0x00});
       return;
+    case 0x30:
+      if (mode != 0x01) break;
+      asked_ = true;
+      output_.push_back(kTaken);
+      return;
     case 0x3b:
       if (data.size() != 5) break;
       reply({0xbb, 0x01, data[1], data[2], data[3], data[4]});
@@ -58,7 +63,8 @@ void LmsDevice::obey(const lms200::Telegram& telegram) {
 }
 
 void LmsDevice::step(TimePoint now, const std::vector<double>& ranges_m) {
-  if (!scanning_ || now < next_scan_) return;
+  if (!asked_ && (!scanning_ || now < next_scan_)) return;
+  asked_ = false;
   next_scan_ = now + kTurn;
   append(output_, lms200::encode(lms200::write_scan(ranges_m)));
 }

@@ -7,7 +7,8 @@
 
 namespace striate::pioneer {
 
-/// An LMS-200 as a program sees it: acknowledges, replies, and ten scans a second once asked.
+/// An LMS-200 as a program sees it: acknowledges, replies, and scans: one on request, or ten
+/// a second by itself.
 class LmsDevice {
  public:
   void receive(ByteView bytes);
@@ -24,7 +25,8 @@ class LmsDevice {
   lms200::TelegramStream stream_{lms200::kToLaser};
   Bytes output_;
   bool installing_ = false;
-  bool scanning_ = false;
+  bool scanning_ = false;  ///< by itself
+  bool asked_ = false;     ///< for one scan
   TimePoint next_scan_;
 };
 

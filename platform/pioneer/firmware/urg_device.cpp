@@ -63,6 +63,8 @@ void UrgDevice::obey(const std::string& line) {
         true);
   } else if (kind == "MD" || kind == "MS") {
     start_scanning(line);
+  } else if (line.rfind("TM1", 0) == 0) {
+    say(scip::write_time(line, shown_ms()));
   } else if (kind == "SC" || kind == "CR" || kind == "SS" || kind == "HS" || kind == "TM") {
     say({line, "00", {}});
   } else {
@@ -83,7 +85,14 @@ void UrgDevice::start_scanning(const std::string& line) {
   say({line, "00", {}});
 }
 
+int UrgDevice::shown_ms() const {
+  const auto time_ms =
+      std::chrono::duration_cast<std::chrono::milliseconds>(now_.time_since_epoch()).count();
+  return static_cast<int>(time_ms & 0xffffff);
+}
+
 void UrgDevice::step(TimePoint now, const std::vector<int>& ranges_mm) {
+  now_ = now;
   if (!running_ || now < next_scan_ || ranges_mm.size() < rays()) return;
   next_scan_ = now + kTurnOfUrg * (running_->skip + 1);
   const bool counted = running_->count > 0;
@@ -94,9 +103,7 @@ void UrgDevice::step(TimePoint now, const std::vector<int>& ranges_mm) {
     const int size = std::min(running_->group, running_->last_step - at + 1);
     grouped.push_back(*std::min_element(begin, begin + size));
   }
-  const auto time_ms =
-      std::chrono::duration_cast<std::chrono::milliseconds>(now.time_since_epoch()).count();
-  say(scip::write_scan(*running_, static_cast<int>(time_ms & 0xffffff), grouped));
+  say(scip::write_scan(*running_, shown_ms(), grouped));
   if (counted && running_->count == 0) running_.reset();
 }
 

@@ -13,6 +13,8 @@ namespace striate::pioneer {
 class UrgDevice {
  public:
   void receive(ByteView bytes);
+  /// What its clock shows from now on.
+  void set_time(TimePoint now) { now_ = now; }
   /// A scan has been asked for and is due.
   [[nodiscard]] bool measures(TimePoint now) const { return running_ && now >= next_scan_; }
   /// Call in steps of at most 100 ms. ranges_mm: one for each step of the device's parameters.
@@ -29,12 +31,14 @@ class UrgDevice {
   void obey(const std::string& line);
   void say(const scip::Reply& reply, bool info = false);
   void start_scanning(const std::string& line);
+  [[nodiscard]] int shown_ms() const;
 
   scip::Parameters parameters_;
   std::string line_;
   Bytes output_;
   bool laser_on_ = false;
   std::optional<scip::ScanRequest> running_;
+  TimePoint now_;
   TimePoint next_scan_;
 };
 

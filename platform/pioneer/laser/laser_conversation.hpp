@@ -33,9 +33,10 @@ class LaserConversation {
     step_ = Step::scan;
     scanned_at_ = now;
   }
-  /// An empty scan to fill, measured at `stamp`, heard at `now`.
+  /// An empty scan to fill, measured at `stamp`, heard at `now`. One that comes too late does not
+  /// count as a sign of life: set-up, which measures the line anew, is begun again.
   RangeScan& begin_scan(TimePoint stamp, TimePoint now) {
-    scanned_at_ = now;
+    if (now - stamp <= from_seconds(settings_.stale_after_s)) scanned_at_ = now;
     scan_.stamp = stamp;
     scan_.readings.clear();
     return scan_;

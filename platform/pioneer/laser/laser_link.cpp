@@ -10,6 +10,7 @@ struct LaserLink::LaserDevice final : public Device {
   LaserDevice(const LaserSettings& settings, Mailbox<RangeScan>& slot_in, Watcher watcher_in)
       : driver(settings), slot(slot_in), watcher(std::move(watcher_in)) {}
 
+  void line_up(TimePoint /*now*/) override { driver.line_up(); }
   void receive(ByteView bytes, TimePoint now) override { driver.receive(bytes, now); }
   void tick(TimePoint now) override {
     driver.tick(now);

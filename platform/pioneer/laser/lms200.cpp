@@ -124,6 +124,10 @@ Bytes continuous(bool on) {
   return encode({kToLaser, {0x20, static_cast<std::uint8_t>(on ? 0x24 : 0x25)}});
 }
 
+Bytes one_scan() {
+  return encode({kToLaser, {0x30, 0x01}});
+}
+
 Bytes set_variant(int fov_deg, int increment_cdeg) {
   ByteWriter writer;
   writer.u8(0x3b);

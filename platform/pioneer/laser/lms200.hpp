@@ -61,6 +61,8 @@ class TelegramStream {
 [[nodiscard]] Bytes set_millimetres();
 /// 20 "mode": 24 continuous, 25 on request.
 [[nodiscard]] Bytes continuous(bool on);
+/// Asks for one scan, of a laser that measures on request.
+[[nodiscard]] Bytes one_scan();
 /// @param fov_deg 100 or 180; @param increment_cdeg 100, 50 or 25; 0 keeps the old one
 [[nodiscard]] Bytes set_variant(int fov_deg, int increment_cdeg);
 

@@ -226,6 +226,15 @@ std::optional<Scan> read_scan(const Reply& reply, const Parameters& parameters) 
   return scan;
 }
 
+int read_time(const Reply& reply) {
+  if (reply.lines.size() != 1 || reply.lines[0].size() != kTimeCharacters) return -1;
+  return decode(reply.lines[0].data(), kTimeCharacters);
+}
+
+Reply write_time(const std::string& echo, int device_time_ms) {
+  return {echo, "00", {encode(device_time_ms, kTimeCharacters)}};
+}
+
 Reply write_scan(const ScanRequest& request, int device_time_ms,
                  const std::vector<int>& ranges_mm) {
   Reply reply{write_request(request), "99", {encode(device_time_ms, kTimeCharacters)}};

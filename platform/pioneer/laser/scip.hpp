@@ -95,8 +95,12 @@ struct Scan {
 };
 /// Empty when the reply holds no scan or not as many values as its echo says.
 [[nodiscard]] std::optional<Scan> read_scan(const Reply& reply, const Parameters& parameters);
+/// What the device's clock shows, in ms of 24 bits, in its reply to TM1; -1: it does not say.
+[[nodiscard]] int read_time(const Reply& reply);
 /// A device's reply to a running MD or MS. ranges_mm: as many as the request asks for.
 [[nodiscard]] Reply write_scan(const ScanRequest& request, int device_time_ms,
                                const std::vector<int>& ranges_mm);
+/// A device's reply to TM1. @param echo the command
+[[nodiscard]] Reply write_time(const std::string& echo, int device_time_ms);
 
 }  // namespace striate::pioneer::scip

@@ -5,6 +5,12 @@
 #include "striate/platform/interface/seen_from_axle.hpp"
 
 namespace striate::pioneer {
+namespace {
+
+/// The device's clock: milliseconds in 24 bits, 4.7 hours a turn; SCIP 2.0
+constexpr int kShownTurn_ms = 1 << 24;
+
+}  // namespace
 
 void UrgDriver::say(const std::string& line, Step step, TimePoint now) {
   Bytes bytes(line.begin(), line.end());
@@ -29,7 +35,22 @@ void UrgDriver::take(const scip::Reply& reply, TimePoint now) {
       if (kind == "SC") say("QT", Step::quiet, now);
       return;
     case Step::quiet:
-      if (kind == "QT") say("PP", Step::ask, now);
+      if (kind == "QT") say("TM0", Step::clock_on, now);
+      return;
+    case Step::clock_on:
+      if (kind != "TM") return;
+      if (reply.status == "00") {
+        say(clock_question(), Step::clock, now);
+      } else {
+        say("PP", Step::ask, now);  // a device that does not tell
+      }
+      return;
+    case Step::clock:
+      // Its own question comes back with the answer, so an older answer is not taken for it.
+      if (reply.echo == clock_question()) take_clock(reply, now);
+      return;
+    case Step::clock_off:
+      if (kind == "TM") say("PP", Step::ask, now);
       return;
     case Step::ask:
       if (const auto parameters = scip::read_parameters(reply)) {
@@ -59,13 +80,37 @@ void UrgDriver::take_scan(const scip::Reply& reply, TimePoint now) {
   if (reply.status != "99") return;
   const auto scan = scip::read_scan(reply, parameters_);
   if (!scan) return;
+  const Duration sent = device_time(scan->device_time_ms);
+  clock_.heard(sent, now);
   // The first ray is a turn of the mirror older than the end of the reply.
   const Duration turn = from_seconds(60.0 / std::max(1, parameters_.rpm));
-  RangeScan& seen = talk_.begin_scan(now - turn, now);
+  RangeScan& seen = talk_.begin_scan(std::min(now, clock_.at(sent)) - turn, now);
   for (const scip::Ray& ray : scan->rays) {
     seen.readings.push_back(
         seen_from_axle({talk_.settings().forward_m, 0.0, ray.bearing_rad}, ray.distance_m));
   }
+}
+
+std::string UrgDriver::clock_question() const {
+  return "TM1;" + std::to_string(talk_.set_ups());
+}
+
+Duration UrgDriver::device_time(int shown_ms) {
+  const int on = (shown_ms - shown_ms_ + kShownTurn_ms) % kShownTurn_ms;
+  shown_ms_ = shown_ms;
+  device_time_ += std::chrono::milliseconds(on < kShownTurn_ms / 2 ? on : on - kShownTurn_ms);
+  return device_time_;
+}
+
+void UrgDriver::take_clock(const scip::Reply& reply, TimePoint now) {
+  const int shown_ms = reply.status == "00" ? scip::read_time(reply) : -1;
+  if (shown_ms >= 0) {
+    clock_.begin_anew();
+    const Duration shown = device_time(shown_ms);
+    clock_.heard(shown, now);
+    clock_.answered(talk_.said_at(), shown);
+  }
+  say("TM2", Step::clock_off, now);
 }
 
 void UrgDriver::tick(TimePoint now) {

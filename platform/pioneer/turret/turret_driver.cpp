@@ -11,11 +11,16 @@ using dynamixel::Register;
 namespace {
 
 /// Position, speed, load, voltage and temperature stand side by side.
-constexpr std::uint8_t kStateSize = 8;
+constexpr std::size_t kStateSize = 8;
+/// As many registers stand from the position to the last one, 49; AX-12A control table
+constexpr std::size_t kMostAsked = 14;
 /// 2 deg, seven steps of the encoder: a servo under load stops short of its goal (ours)
 constexpr double kThere_rad = 0.035;
 /// Three steps of the encoder (0.293 deg): less is its jitter
 constexpr double kProgress_rad = 0.015;
+constexpr std::uint32_t kMix = 69069;  ///< Marsaglia's multiplier modulo 2^32
+/// A position that is older where it is heard is none: half of what may be old at the wheels (ours)
+constexpr Duration kOldReply = std::chrono::milliseconds(250);
 constexpr std::uint16_t kFullTorque = 1023;  ///< AX-12A control table, torque limit: ten bits
 /// AX-12A control table, present load: bit 10 is the direction
 constexpr std::uint16_t kClockwiseLoad = 1U << 10;
@@ -58,8 +63,10 @@ void TurretDriver::receive(ByteView bytes, TimePoint now) {
   stream_.push(bytes);
   while (const auto packet = stream_.next()) {
     // Replies to writes have no parameters and need none.
-    if (!waiting_ || packet->id != servos_[turn_].id) continue;
-    if (packet->parameters.size() != kStateSize) continue;
+    const auto asked_at = questions_.answer({packet->id, packet->parameters.size()});
+    // A reply to a question that was given up is late: the head may look elsewhere by now.
+    const bool meant = asked_at && waiting_ && *asked_at == asked_at_;
+    if (!meant || packet->id != servos_[turn_].id || now - asked_at_ > kOldReply) continue;
     take(servos_[turn_], *packet, now);
     waiting_ = false;
     turn_ = (turn_ + 1) % servos_.size();
@@ -122,7 +129,12 @@ void TurretDriver::write_goals() {
 }
 
 void TurretDriver::ask(TimePoint now) {
-  append(output_, dynamixel::read(servos_[turn_].id, Register::position, kStateSize));
+  // In no order: where many replies were lost, the next ones would match them one by one.
+  mixed_ = mixed_ * kMix + 1;
+  size_ = kStateSize + (mixed_ >> 16U) % (kMostAsked - kStateSize + 1);
+  const std::uint8_t id = servos_[turn_].id;
+  append(output_, dynamixel::read(id, Register::position, static_cast<std::uint8_t>(size_)));
+  questions_.ask({id, size_}, now);
   waiting_ = true;
   asked_at_ = now;
 }

@@ -5,6 +5,7 @@
 
 #include "striate/config/settings.hpp"
 #include "striate/platform/interface/robot.hpp"
+#include "striate/platform/pioneer/questions.hpp"
 #include "striate/platform/pioneer/turret/dynamixel.hpp"
 
 namespace striate::pioneer {
@@ -57,7 +58,9 @@ struct ServoHealth {
 };
 
 /// The pan/tilt head of two AX-12A on one half-duplex line: one question at a time. Positions are
-/// read before anything moves, speeds are limited, and no servo that fails holds up the other.
+/// read before anything moves, speeds are limited, and no servo that fails holds up the other. Each
+/// question asks for another number of registers, so that a late reply is not taken for that to a
+/// newer question.
 /// Pure: bytes and times go in, bytes come out.
 class TurretDriver {
  public:
@@ -68,6 +71,8 @@ class TurretDriver {
   /// Gives a tripped servo its torque back; it stays where it is until the next command.
   void reset();
 
+  /// The line is a new one: no reply is on its way.
+  void line_up() { questions_.clear(); }
   void receive(ByteView bytes, TimePoint now);
   void tick(TimePoint now);
   [[nodiscard]] Bytes take_output();
@@ -101,7 +106,16 @@ class TurretDriver {
   dynamixel::PacketStream stream_;
   Bytes output_;
   std::size_t turn_ = 0;  ///< whose turn to be asked
-  bool waiting_ = false;  ///< for the reply of servos_[turn_]
+  /// By which replies are told apart.
+  struct Asked {
+    std::uint8_t id = 0;
+    std::size_t size = 0;
+    friend bool operator==(const Asked&, const Asked&) = default;
+  };
+  Questions<Asked> questions_;
+  std::size_t size_ = 0;     ///< registers that the newest question asks for
+  std::uint32_t mixed_ = 0;  ///< what that is drawn from
+  bool waiting_ = false;     ///< for the reply of servos_[turn_]
   TimePoint asked_at_;
 };
 

@@ -41,6 +41,7 @@ class TurretLink {
   struct HeadDevice final : public Device {
     HeadDevice(const TurretSettings& settings, Watcher watcher_in)
         : driver(settings), watcher(std::move(watcher_in)) {}
+    void line_up(TimePoint /*now*/) override { driver.line_up(); }
     void receive(ByteView bytes, TimePoint now) override { driver.receive(bytes, now); }
     void tick(TimePoint now) override;
     [[nodiscard]] Bytes take_output() override { return driver.take_output(); }

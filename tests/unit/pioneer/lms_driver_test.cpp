@@ -2,11 +2,15 @@
 
 #include <gtest/gtest.h>
 
+#include <deque>
+
 #include "striate/platform/pioneer/firmware/lms_device.hpp"
 #include "tests/reference/captures.hpp"
 
 namespace striate::pioneer {
 namespace {
+
+using namespace std::chrono_literals;
 
 /// Driver and device on one line, in steps of 10 ms of virtual time.
 struct Bed {
@@ -20,7 +24,11 @@ struct Bed {
       Bytes in = device.take_output();
       if (!plugged) in.clear();
       if (wrong_bit && !in.empty()) in[in.size() / 2] ^= 1;
-      driver.receive(in, now);
+      under_way.emplace_back(now + late, in);
+      while (!under_way.empty() && under_way.front().first <= now) {
+        driver.receive(under_way.front().second, now);
+        under_way.pop_front();
+      }
     }
   }
   LmsDriver driver{LaserSettings{}};
@@ -28,6 +36,8 @@ struct Bed {
   TimePoint now{std::chrono::seconds(5)};
   bool plugged = true;
   bool wrong_bit = false;
+  Duration late{};  ///< what the laser says, on its way
+  std::deque<std::pair<TimePoint, Bytes>> under_way;
 };
 
 TEST(LmsDriver, SetsTheLaserUpAndSeesTenTimesASecond) {
@@ -53,6 +63,35 @@ TEST(LmsDriver, AStaleScanIsNoneAndTheLaserIsSetUpAgainWhenItComesBack) {
   bed.plugged = true;
   bed.run(1.2);
   EXPECT_TRUE(bed.driver.scanning(bed.now));
+}
+
+TEST(LmsDriver, AScanThatWasLongUnderWayIsOld) {
+  for (const Duration late : {Duration(300ms), Duration(800ms), Duration(3s)}) {
+    Bed bed;
+    bed.run(1.0);
+    ASSERT_TRUE(bed.driver.scanning(bed.now));
+    bed.late = late;
+    for (int i = 0; i < 1500; ++i) {
+      bed.run(0.01);
+      const RangeScan scan = bed.driver.scan(bed.now);
+      if (scan.readings.empty() || bed.now < TimePoint(6s) + late) continue;
+      ASSERT_GE(bed.now - scan.stamp, late) << i;
+    }
+    EXPECT_EQ(bed.driver.scanning(bed.now), late < 500ms);
+  }
+}
+
+TEST(LmsDriver, ALaserThatIsLateFromTheBeginningIsNotTakenForAFreshOne) {
+  for (Duration late = 260ms; late < 3200ms; late += 70ms) {
+    Bed bed;
+    bed.late = late;
+    for (int i = 0; i < 2000; ++i) {
+      bed.run(0.01);
+      const RangeScan scan = bed.driver.scan(bed.now);
+      if (scan.readings.empty()) continue;
+      ASSERT_GE(bed.now - scan.stamp, late) << to_seconds(late);
+    }
+  }
 }
 
 TEST(LmsDriver, ScansWithAWrongCrcAreNotTaken) {

@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <deque>
 #include <functional>
+#include <utility>
 
 #include "striate/platform/pioneer/firmware/servo_bus.hpp"
 #include "tests/reference/captures.hpp"
@@ -161,6 +163,36 @@ TEST(TurretDriver, LostAndSpoiledRepliesAreAskedForAgain) {
   EXPECT_TRUE(head.driver.ok());
   EXPECT_GT(head.driver.pan().missed, 0u);
   EXPECT_GT(head.driver.counters().bad_sum, 0u);
+}
+
+TEST(TurretDriver, RepliesThatAreLateAreNotTakenForNewOnes) {
+  for (int late_steps = 7; late_steps < 620; late_steps += 11) {  // 35 ms .. 3.1 s
+    Head head;
+    std::deque<Bytes> under_way;
+    bool from_servos = false;
+    int late = 0;
+    head.spoil = [&](Bytes& bytes) {
+      from_servos = !from_servos;
+      if (from_servos) return;
+      under_way.push_back(std::exchange(bytes, {}));
+      while (under_way.size() > static_cast<std::size_t>(late)) {
+        append(bytes, under_way.front());
+        under_way.pop_front();
+      }
+    };
+    head.run(0.5);
+    ASSERT_TRUE(head.driver.ok());
+    const double seen_rad = head.driver.pose().pan_rad;
+    late = late_steps;
+    head.driver.command({0.0, 0.0});
+    int fresh = 0;
+    for (int i = 0; i < 1200; ++i) {
+      head.step();
+      if (head.driver.ok() && i > 60) ++fresh;
+    }
+    EXPECT_EQ(fresh, 0) << late_steps;
+    EXPECT_NEAR(head.driver.pose().pan_rad, seen_rad, 0.1) << "nothing old was believed";
+  }
 }
 
 TEST(TurretDriver, AHeadThatIsStuckMakesTheRobotStand) {

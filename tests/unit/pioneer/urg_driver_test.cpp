@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <deque>
 
 #include "striate/base/geometry.hpp"
 #include "striate/platform/pioneer/firmware/urg_device.hpp"
@@ -10,6 +11,8 @@
 
 namespace striate::pioneer {
 namespace {
+
+using namespace std::chrono_literals;
 
 /// Driver and device on one line, in steps of 10 ms of virtual time.
 struct Bed {
@@ -23,7 +26,11 @@ struct Bed {
       Bytes in = device.take_output();
       if (!plugged) in.clear();
       if (wrong_bit && !in.empty()) in[in.size() / 2] ^= 1;
-      driver.receive(in, now);
+      under_way.emplace_back(now + late, in);
+      while (!under_way.empty() && under_way.front().first <= now) {
+        driver.receive(under_way.front().second, now);
+        under_way.pop_front();
+      }
     }
   }
   UrgDriver driver{LaserSettings{}};
@@ -31,6 +38,8 @@ struct Bed {
   TimePoint now{std::chrono::seconds(5)};
   bool plugged = true;
   bool wrong_bit = false;
+  Duration late{};  ///< what the laser says, on its way
+  std::deque<std::pair<TimePoint, Bytes>> under_way;
 };
 
 TEST(UrgDriver, SetsTheDeviceUpAndSeesTenTimesASecond) {
@@ -66,6 +75,35 @@ TEST(UrgDriver, BeginsAgainWhenTheDeviceComesBack) {
   bed.run(1.2);
   EXPECT_TRUE(bed.driver.scanning(bed.now));
   EXPECT_GT(bed.driver.set_ups(), 2u);
+}
+
+TEST(UrgDriver, AScanThatWasLongUnderWayIsOld) {
+  for (const Duration late : {Duration(300ms), Duration(800ms), Duration(3s)}) {
+    Bed bed;
+    bed.run(1.0);
+    ASSERT_TRUE(bed.driver.scanning(bed.now));
+    bed.late = late;
+    for (int i = 0; i < 1500; ++i) {
+      bed.run(0.01);
+      const RangeScan scan = bed.driver.scan(bed.now);
+      if (scan.readings.empty() || bed.now < TimePoint(6s) + late) continue;
+      ASSERT_GE(bed.now - scan.stamp, late) << i;
+    }
+    EXPECT_EQ(bed.driver.scanning(bed.now), late < 500ms);
+  }
+}
+
+TEST(UrgDriver, ALaserThatIsLateFromTheBeginningIsNotTakenForAFreshOne) {
+  for (Duration late = 260ms; late < 3200ms; late += 70ms) {
+    Bed bed;
+    bed.late = late;
+    for (int i = 0; i < 2000; ++i) {
+      bed.run(0.01);
+      const RangeScan scan = bed.driver.scan(bed.now);
+      if (scan.readings.empty()) continue;
+      ASSERT_GE(bed.now - scan.stamp, late) << to_seconds(late);
+    }
+  }
 }
 
 TEST(UrgDriver, ScansWithWrongSumsAreNotTaken) {
