@@ -30,11 +30,12 @@ DriverThread::~DriverThread() {
   thread_.join();
 }
 
-void DriverThread::command(const MotorCommand& command) {
+void DriverThread::command(const MotorCommand& command, std::optional<TimePoint> seen_at) {
   const TimePoint now = clock_.now();
   const std::lock_guard lock(mutex_);
   slot_.command = command;
   slot_.given_at = now;
+  slot_.seen_at = seen_at;
 }
 
 void DriverThread::emergency_stop() {
@@ -83,20 +84,21 @@ bool DriverThread::wait_until_it_can_drive(Duration at_most) {
 void DriverThread::obey(const Slot& slot, TimePoint now) {
   SafetyGate& gate = driver_.gate();
   if (slot.reset) gate.reset(now);
-  if (slot.command) gate.command(*slot.command, slot.given_at);
+  if (slot.command) gate.command(*slot.command, slot.given_at, slot.seen_at);
   if (slot.emergency) gate.emergency_stop(now);
   if (slot.ask_true_pose) driver_.session().ask_true_pose();
   if (slot.head_ok) gate.set_head_ok(*slot.head_ok, slot.head_told_at);
   if (slot.laser_at) gate.laser_has_measured(*slot.laser_at);
 }
 
-void DriverThread::tell() {
+void DriverThread::tell(TimePoint now) {
   const ArcosSession& session = driver_.session();
   const std::lock_guard lock(mutex_);
   report_.state = session.state();
   report_.base = session.base();
   report_.hold = driver_.gate().reason();
   report_.latched = driver_.gate().latched();
+  report_.line_delay = session.line_delay(now);
   report_.counters = session.counters();
   report_.robot = session.names().name + " (" + session.names().subclass + ")";
   const std::string line = line_->trouble();
@@ -144,7 +146,7 @@ void DriverThread::run() {
       const TimePoint now = clock_.now();
       obey(slot, now);
       driver_.step(now);
-      tell();
+      tell(now);
     }
     say_goodbye();
   } catch (const std::exception& error) {

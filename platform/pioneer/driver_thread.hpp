@@ -18,6 +18,7 @@ struct DriverReport {
   BaseState base;
   HoldReason hold = HoldReason::not_ready;
   bool latched = false;
+  std::optional<Duration> line_delay;  ///< there and back; nothing: not known
   LinkCounters counters;
   std::string robot;    ///< "name (subclass)"
   std::string trouble;  ///< in plain words; empty: none
@@ -39,7 +40,8 @@ class DriverThread {
   DriverThread& operator=(const DriverThread&) = delete;
 
   /// Holds until its lease ends.
-  void command(const MotorCommand& command);
+  /// @param seen_at when the image was taken that it was decided by; nothing: by none
+  void command(const MotorCommand& command, std::optional<TimePoint> seen_at = std::nullopt);
   void emergency_stop();
   /// Ends what is latched.
   void reset();
@@ -57,6 +59,7 @@ class DriverThread {
   struct Slot {
     std::optional<MotorCommand> command;
     TimePoint given_at;
+    std::optional<TimePoint> seen_at;
     bool emergency = false;
     bool reset = false;
     bool ask_true_pose = false;
@@ -66,7 +69,7 @@ class DriverThread {
   };
   void run();
   void obey(const Slot& slot, TimePoint now);
-  void tell();
+  void tell(TimePoint now);
   void brake_to_a_stand();
   void say_goodbye();
 

@@ -10,6 +10,10 @@ const char* name_of(HoldReason reason) {
       return "no command since the last gap";
     case HoldReason::command_old:
       return "the command is old";
+    case HoldReason::line_late:
+      return "the line to the robot is late";
+    case HoldReason::seen_old:
+      return "what it has seen is too old";
     case HoldReason::slowed:
       return "an echo is near";
     case HoldReason::obstacle:
@@ -28,6 +32,8 @@ const char* name_of(HoldReason reason) {
       return "the robot is silent";
     case HoldReason::not_ready:
       return "no connection";
+    case HoldReason::stopped:
+      return "the program stood still";
     case HoldReason::link_lost:
       return "the link broke";
     case HoldReason::motors_off:

@@ -134,7 +134,10 @@ bool PioneerRobot::sense(Senses& senses) {
   const DriverReport report = driver_.report();
   fill_senses(report.base, clock_.now(), senses);
   if (laser_) senses.laser = laser_->scan();
-  if (camera_) senses.stereo = camera_->newest();
+  if (camera_) {
+    senses.stereo = camera_->newest();
+    seen_at_ = senses.stereo.stamp;
+  }
   if (turret_) {
     const HeadReport head = turret_->report();
     senses.head = head.pose;
@@ -148,8 +151,13 @@ bool PioneerRobot::sense(Senses& senses) {
 }
 
 void PioneerRobot::send(const MotorCommand& command) {
-  driver_.command(command);
+  driver_.command(command, seen_at_);
   if (turret_) turret_->command({command.pan_rad, command.tilt_rad});
+}
+
+void PioneerRobot::reset() {
+  driver_.reset();
+  if (turret_) turret_->reset();
 }
 
 void PioneerRobot::stop() noexcept {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "striate/platform/interface/robot.hpp"
@@ -34,6 +35,9 @@ class PioneerRobot final : public Robot {
   bool sense(Senses& senses) override;
   void send(const MotorCommand& command) override;
   void stop() noexcept override;
+  /// Ends what the safety gate has latched, and gives a tripped servo its torque back: somebody has
+  /// looked at the robot.
+  void reset();
 
   [[nodiscard]] DriverThread& driver() { return driver_; }
   /// Null: there is none.
@@ -53,6 +57,7 @@ class PioneerRobot final : public Robot {
   std::unique_ptr<StereoCamera> camera_;
   RobotDescription description_;
   TimePoint next_cycle_;
+  std::optional<TimePoint> seen_at_;  ///< the newest image that was handed out
 };
 
 /// What a base tells, as senses: sonar seen from the axle, silent and stale discs left out.

@@ -15,6 +15,8 @@ namespace {
 
 /// A program that was not scheduled for this long has left the robot alone: that is a gap.
 constexpr Duration kMissedTicks = std::chrono::milliseconds(300);
+/// What was late is fresh again when it has been so for five cycles: no stuttering
+constexpr Duration kCalm = std::chrono::milliseconds(500);
 /// Five SIPs: by then the flags of one would show that they are on
 constexpr Duration kAskMotorsAgain = std::chrono::milliseconds(500);
 /// The head's thread speaks every few milliseconds.
@@ -30,7 +32,11 @@ constexpr double kMostBrakeMm_s2 = 300.0;
 
 }  // namespace
 
-void SafetyGate::command(const MotorCommand& command, TimePoint given_at) {
+void SafetyGate::command(const MotorCommand& command, TimePoint given_at,
+                         std::optional<TimePoint> seen_at) {
+  if (moved_at_ && given_at - *moved_at_ > from_seconds(settings_.command_gap_s)) {
+    latch(HoldReason::stopped, given_at);
+  }
   command_ = command;
   // What is no number must not become a speed.
   if (!std::isfinite(command.forward_m_s) || !std::isfinite(command.turn_rad_s)) {
@@ -39,6 +45,9 @@ void SafetyGate::command(const MotorCommand& command, TimePoint given_at) {
   }
   given_at_ = given_at;
   given_ = true;
+  seen_at_ = seen_at;
+  moved_at_.reset();
+  if (command_.forward_m_s != 0.0 || command_.turn_rad_s != 0.0) moved_at_ = given_at;
 }
 
 void SafetyGate::gap(TimePoint now) {
@@ -64,6 +73,7 @@ void SafetyGate::reset(TimePoint now) {
   motors_wanted_ = true;
   motors_were_on_ = false;
   motors_asked_ = false;
+  moved_at_.reset();
   gap(now);
 }
 
@@ -97,10 +107,27 @@ void SafetyGate::watch_motors(TimePoint now) {
   }
 }
 
-void SafetyGate::watch(TimePoint now) {
-  const bool missed = ticked_ && now - last_tick_ > kMissedTicks;
+void SafetyGate::watch_the_ticks(TimePoint now) {
+  const Duration since = ticked_ ? now - last_tick_ : Duration{};
+  missed_ = since > kMissedTicks;
+  // Whoever stopped the program may stand before the robot by now.
+  if (was_ready_ && since > from_seconds(settings_.longest_gap_s)) latch(HoldReason::stopped, now);
   ticked_ = true;
   last_tick_ = now;
+}
+
+/// A command is as old at the wheels as what it was decided by, and the way there.
+void SafetyGate::watch_lateness(TimePoint now) {
+  const Duration delay =
+      session_.measures_the_line() ? session_.line_delay(now).value_or(Duration{}) : Duration{};
+  if (delay > from_seconds(settings_.line_late_s)) line_late_until_ = now + kCalm;
+  const bool old =
+      given_ && seen_at_ && now - *seen_at_ + delay > from_seconds(settings_.seen_old_s);
+  if (old) seen_old_until_ = now + kCalm;
+}
+
+void SafetyGate::watch(TimePoint now) {
+  watch_the_ticks(now);
   const bool ready = session_.state() == LinkState::ready;
   if (was_ready_ && !ready) latch(HoldReason::link_lost, now);
   if (ready && !was_ready_) {
@@ -113,10 +140,11 @@ void SafetyGate::watch(TimePoint now) {
   if (!ready) return;
   // By what the robot says of itself: a laser in the same line tells nothing of bumpers.
   const bool silent = now - session_.last_state() > from_seconds(settings_.silence_s);
-  if (silent || silent_ || missed) gap(now);
-  if ((silent && !silent_) || (silent_ && !silent) || missed) send_stop(now);
+  if (silent || silent_ || missed_) gap(now);
+  if ((silent && !silent_) || (silent_ && !silent) || missed_) send_stop(now);
   silent_ = silent;
   if (silent) return;
+  watch_lateness(now);
   watch_joystick(now);
   watch_motors(now);
 }
@@ -160,6 +188,11 @@ void SafetyGate::limit_by_touch(Motion& motion, TimePoint now) {
   }
 }
 
+bool SafetyGate::line_is_late(TimePoint now) const {
+  const bool unknown = session_.measures_the_line() && !session_.line_delay(now);
+  return unknown || now < line_late_until_;
+}
+
 bool SafetyGate::laser_is_stale(TimePoint now) const {
   const Duration longest = from_seconds(settings_.laser_stale_s);
   const RangeScan& laser = session_.base().laser;
@@ -183,6 +216,10 @@ SafetyGate::Motion SafetyGate::allowed(TimePoint now) {
     reason_ = HoldReason::no_command;
   } else if (now - given_at_ > from_seconds(settings_.command_lease_s)) {
     reason_ = HoldReason::command_old;
+  } else if (line_is_late(now)) {
+    reason_ = HoldReason::line_late;
+  } else if (now < seen_old_until_) {
+    reason_ = HoldReason::seen_old;
   } else if (session_.base().battery_v < settings_.battery_stop_v) {
     reason_ = HoldReason::battery_low;
   } else if (laser_is_stale(now)) {

@@ -14,15 +14,20 @@ namespace striate::pioneer {
 ///
 /// Nothing drives that is older than its lease. After any gap (the robot was silent, this program
 /// was not scheduled) the first thing sent is a stop, because the firmware resumes the old motion,
-/// and only a command given after the gap drives again. After a broken link, an emergency stop, the
-/// joystick or motors that went off, `reset` is needed.
+/// and only a command given after the gap drives again. Where the program did not run for longer,
+/// or nobody commanded in the midst of motion, `reset` is needed; also after a broken link, an
+/// emergency stop, the joystick or motors that went off. Age is counted at the wheels: what the
+/// line takes there and back belongs to it.
 class SafetyGate {
  public:
   SafetyGate(const SafetyGateSettings& settings, ArcosSession& session)
       : settings_(settings), session_(session) {}
 
-  /// What is wanted until the lease ends. `given_at` is when it was decided.
-  void command(const MotorCommand& command, TimePoint given_at);
+  /// What is wanted until the lease ends.
+  /// @param given_at when it was decided
+  /// @param seen_at when the image was taken that it was decided by; nothing: by none
+  void command(const MotorCommand& command, TimePoint given_at,
+               std::optional<TimePoint> seen_at = std::nullopt);
   /// Stands at once and stays so until `reset`.
   void emergency_stop(TimePoint now);
   /// Ends what is latched, switches the motors on, and waits for a newer command.
@@ -55,6 +60,9 @@ class SafetyGate {
   void watch_joystick(TimePoint now);
   void latch(HoldReason why, TimePoint now);
   void gap(TimePoint now);
+  void watch_the_ticks(TimePoint now);
+  void watch_lateness(TimePoint now);
+  [[nodiscard]] bool line_is_late(TimePoint now) const;
   [[nodiscard]] bool laser_is_stale(TimePoint now) const;
   [[nodiscard]] bool head_fails(TimePoint now) const;
   [[nodiscard]] Motion allowed(TimePoint now);
@@ -69,7 +77,9 @@ class SafetyGate {
   MotorCommand command_;
   TimePoint given_at_;
   bool given_ = false;
-  TimePoint not_before_;  ///< commands given earlier do not drive
+  std::optional<TimePoint> seen_at_;
+  std::optional<TimePoint> moved_at_;  ///< the last command, where it was motion
+  TimePoint not_before_;               ///< commands given earlier do not drive
   HoldReason reason_ = HoldReason::not_ready;
   HoldReason latch_ = HoldReason::none;
 
@@ -77,6 +87,9 @@ class SafetyGate {
   TimePoint last_tick_;
   bool was_ready_ = false;
   bool silent_ = false;
+  bool missed_ = false;        ///< the newest tick came late
+  TimePoint line_late_until_;  ///< late, and some time after
+  TimePoint seen_old_until_;
   bool head_ok_ = true;
   std::optional<TimePoint> head_told_at_;  ///< empty: there is no head
   std::optional<TimePoint> laser_at_;      ///< empty: there is no laser, or it has not spoken

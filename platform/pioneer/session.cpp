@@ -121,7 +121,16 @@ void ArcosSession::handle_open(const arcos::Packet& packet, TimePoint now) {
     take_sip(packet, now);
     return;
   }
+  if (packet.id == arcos::Encoders::kId) {
+    round_trip_.answered(RoundTrip::Question::encoders, now);
+    return;
+  }
+  if (packet.id == arcos::IoPac::kId) {
+    round_trip_.answered(RoundTrip::Question::io, now);
+    return;
+  }
   if (packet.id == arcos::ConfigPac::kId) {
+    round_trip_.answered(RoundTrip::Question::config, now);
     config_ = arcos::read_config_pac(packet);
     if (config_) {
       tracker_.use_bumpers(config_->front_bumpers != 0, config_->rear_bumpers != 0);
@@ -130,6 +139,7 @@ void ArcosSession::handle_open(const arcos::Packet& packet, TimePoint now) {
     }
   } else if (packet.id == arcos::Joystick::kId) {
     if (const auto joystick = arcos::read_joystick(packet)) {
+      round_trip_.answered(RoundTrip::Question::joystick, now);
       tracker_.take_joystick(joystick->button1);
       return;
     }
@@ -161,8 +171,35 @@ void ArcosSession::take_sip(const arcos::Packet& packet, TimePoint now) {
   tracker_.take(*sip, now);
   if (state_ != LinkState::opening) return;
   state_ = LinkState::configuring;
-  state_since_ = sent_at_ = now;
+  state_since_ = now;
+  round_trip_.begin(now);
+  ask_for_config(now);
+}
+
+void ArcosSession::ask_for_config(TimePoint now) {
   send(command(Command::config, 1));
+  round_trip_.asked(RoundTrip::Question::config, now);
+  sent_at_ = now;
+}
+
+void ArcosSession::measure_the_line(TimePoint now) {
+  if (!settings_.echo) return;
+  const auto question = round_trip_.asks(now);
+  if (!question) return;
+  switch (*question) {
+    case RoundTrip::Question::encoders:
+      send(command(Command::encoder, 1));
+      return;
+    case RoundTrip::Question::joystick:
+      send(command(Command::joystick_info, 1));
+      return;
+    case RoundTrip::Question::io:
+      send(command(Command::io_request, 1));
+      return;
+    case RoundTrip::Question::config:
+      send(command(Command::config, 1));
+      return;
+  }
 }
 
 void ArcosSession::get_ready(TimePoint now) {
@@ -236,11 +273,11 @@ void ArcosSession::tick(TimePoint now) {
       if (now - state_since_ >= kConfigPatience) {
         get_ready(now);  // older firmware has no CONFIGpac
       } else if (now - sent_at_ >= kConfigAgain) {
-        send(command(Command::config, 1));
-        sent_at_ = now;
+        ask_for_config(now);
       }
       break;
     case LinkState::ready:
+      measure_the_line(now);
       break;
     default:
       return;

@@ -7,6 +7,7 @@
 #include "striate/platform/pioneer/arcos/other_packets.hpp"
 #include "striate/platform/pioneer/arcos/packet_stream.hpp"
 #include "striate/platform/pioneer/base_state.hpp"
+#include "striate/platform/pioneer/round_trip.hpp"
 #include "striate/platform/pioneer/session_settings.hpp"
 
 namespace striate::pioneer {
@@ -71,6 +72,12 @@ class ArcosSession {
   [[nodiscard]] double deceleration_mm_s2() const;
   /// When the robot last told its own state; the start of the connection before it did.
   [[nodiscard]] TimePoint last_state() const;
+  /// How late the line is, there and back; see RoundTrip. Nothing: not known yet.
+  [[nodiscard]] std::optional<Duration> line_delay(TimePoint now) const {
+    return round_trip_.delay(now);
+  }
+  /// Whether `line_delay` can be known.
+  [[nodiscard]] bool measures_the_line() const { return settings_.echo; }
   /// Asks a simulated robot for its true pose.
   void ask_true_pose();
 
@@ -91,6 +98,8 @@ class ArcosSession {
   void get_ready(TimePoint now);
   void tell_limits();
   void ask_for_laser();
+  void ask_for_config(TimePoint now);
+  void measure_the_line(TimePoint now);
   void lose(TimePoint now, const std::string& why);
 
   SessionSettings settings_;
@@ -98,6 +107,7 @@ class ArcosSession {
   arcos::PacketStream stream_;
   BaseTracker tracker_;
   arcos::SimLaserSweep sweep_;
+  RoundTrip round_trip_;
   RobotModel model_;
   arcos::RobotNames names_;
   std::optional<arcos::ConfigPac> config_;

@@ -9,6 +9,7 @@ struct SessionSettings {
   bool force_unknown_model = false;
   bool joystick_may_drive = true;
   bool simulated_laser = true;
+  bool echo = true;
   double sync_wait_s = 1.0;   ///< as ARIA waits for the answer to a SYNC
   int sync_tries = 5;         ///< as ARIA gives up after five that stay silent
   double lost_after_s = 2.0;  ///< twenty SIPs missed; the watchdog has stopped the wheels by then
@@ -36,6 +37,9 @@ void visit(V& v, SessionSettings& s) {
   v.flag("joystick_may_drive", s.joystick_may_drive, "the joystick's button takes over");
   v.flag("simulated_laser", s.simulated_laser,
          "asks a simulated robot for the laser inside its packets");
+  v.flag("echo", s.echo,
+         "measures how late the line is by questions; no: for a robot that answers none, whose "
+         "delay nobody knows then");
   v.number("sync_wait", s.sync_wait_s, Unit::duration, {0.1, 10.0},
            "for the answer to one step of the handshake");
   v.integer("sync_tries", s.sync_tries, {1, 50}, "silent steps until the link is opened anew");

@@ -39,6 +39,7 @@ enum class Command : std::uint8_t {
   laser_start = 36,
   laser_end = 37,
   laser_increment = 38,
+  io_request = 40,  ///< 1 asks for one IOpac
   bump_stall = 44,
   joystick_drive = 47,
   sonar_cycle = 48,

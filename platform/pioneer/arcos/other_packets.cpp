@@ -54,6 +54,14 @@ Packet write_encoders(const Encoders& encoders) {
   return {Encoders::kId, writer.bytes()};
 }
 
+Packet write_io() {
+  ByteWriter writer;
+  writer.u8(0);  // digital inputs, digital outputs, analog ports: none
+  writer.u8(0);
+  writer.u8(0);
+  return {IoPac::kId, writer.bytes()};
+}
+
 std::optional<SimStat> read_sim_stat(const Packet& packet) {
   if (packet.id != SimStat::kId) return std::nullopt;
   ByteReader reader(packet.payload, ByteReader::Beyond::zero);

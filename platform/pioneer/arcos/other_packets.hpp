@@ -39,6 +39,13 @@ struct Encoders {
 };
 [[nodiscard]] Packet write_encoders(const Encoders& encoders);
 
+/// IOREQUEST's answer: digital and analog ports, which nobody here reads.
+struct IoPac {
+  static constexpr std::uint8_t kId = 0xf0;  ///< IOpac's packet type; ARCOS manual
+};
+/// An IOpac of a robot whose ports have nothing to tell.
+[[nodiscard]] Packet write_io();
+
 /// SIMSTAT: the truth, to score a driver by. Simulated robots only.
 struct SimStat {
   static constexpr std::uint8_t kId = 0x62;  ///< SIMSTAT's packet type, as MobileSim sends it

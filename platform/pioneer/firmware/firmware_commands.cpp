@@ -111,6 +111,9 @@ void ArcosFirmware::handle_request(const Packet& packet, const Argument& argumen
       encoder_stream_ = argument.value;
       if (encoder_stream_ == 1) send_encoders();
       return;
+    case Command::io_request:
+      if (argument.value == 1) send(arcos::write_io());
+      return;
     case Command::laser_mode:
       laser_wanted_ = argument.value != 0;
       return;
