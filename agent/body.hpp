@@ -22,6 +22,10 @@ struct Body {
   std::string place = {};  ///< where it is: an address, a world, "ROS", a file
   /// Why the body's own gate holds it or slows it; "": it does not. May be empty.
   std::function<std::string()> hold = {};
+  /// Whether it holds until `reset`. May be empty: it never does.
+  std::function<bool()> waits_for_reset = {};
+  /// Somebody has looked at the robot: ends what its gate has latched. May be empty.
+  std::function<void()> reset = {};
   /// Who watches it and knows the truth; nullptr: nobody but the task. Lives as long as the robot.
   const simulator::Judge* judge = nullptr;
   /// A baseline's disparities; nullptr: Striate's own stereo. Lives as long as the robot.

@@ -101,6 +101,14 @@ std::string Mission::hold() const {
   return parts_.body.hold ? parts_.body.hold() : std::string();
 }
 
+bool Mission::waits_for_reset() const {
+  return parts_.body.waits_for_reset && parts_.body.waits_for_reset();
+}
+
+void Mission::reset_body() const {
+  if (parts_.body.reset) parts_.body.reset();
+}
+
 double Mission::mean_cycle_ms() const {
   if (cycles_ == 0) return 0.0;
   return 1000.0 * (wall_s_ - watched_.sense_s()) / static_cast<double>(cycles_);

@@ -77,6 +77,10 @@ class Mission {
   [[nodiscard]] const std::string& place() const { return parts_.body.place; }
   /// Why the body's own gate holds the robot, or slows it; "": it does not.
   [[nodiscard]] std::string hold() const;
+  /// Whether that lasts until `reset_body`.
+  [[nodiscard]] bool waits_for_reset() const;
+  /// Somebody has looked at the robot and lets it go on: ends what its gate has latched.
+  void reset_body() const;
   /// nullptr: nobody judges.
   [[nodiscard]] const simulator::Judge* judge() const { return parts_.body.judge; }
   /// nullptr: nobody judges, or the body is no simulated one.

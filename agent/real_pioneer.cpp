@@ -21,7 +21,13 @@ BodySource real_pioneer() {
       const pioneer::HoldReason reason = driver.report().hold;
       return reason == pioneer::HoldReason::none ? std::string() : std::string(name_of(reason));
     };
-    return {.robot = std::move(robot), .place = places.base, .hold = hold};
+    const auto waits = [&driver = robot->driver()] { return driver.report().latched; };
+    const auto reset = [&robot = *robot] { robot.reset(); };
+    return {.robot = std::move(robot),
+            .place = places.base,
+            .hold = hold,
+            .waits_for_reset = waits,
+            .reset = reset};
   }};
 }
 

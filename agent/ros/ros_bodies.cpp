@@ -24,7 +24,13 @@ BodySource robot_behind_ros() {
   return {.wake = [](const RobotSettings& settings) -> Body {
     auto robot = std::make_unique<ros::RosRobot>(settings.ros, simulated_robot(settings));
     const auto hold = [&gate = *robot] { return gate.hold(); };
-    return {.robot = std::move(robot), .place = "ROS", .hold = hold};
+    const auto waits = [&gate = *robot] { return gate.waits_for_reset(); };
+    const auto reset = [&gate = *robot] { gate.reset(); };
+    return {.robot = std::move(robot),
+            .place = "ROS",
+            .hold = hold,
+            .waits_for_reset = waits,
+            .reset = reset};
   }};
 }
 

@@ -8,6 +8,7 @@
 #include "striate/app/command_line/found_file.hpp"
 #include "striate/app/commands/commands.hpp"
 #include "striate/app/interrupt.hpp"
+#include "striate/app/operator_reset.hpp"
 #include "striate/base/user_error.hpp"
 #include "striate/platform/pioneer/pioneer_robot.hpp"
 
@@ -61,6 +62,7 @@ void print_counters(const pioneer::LinkCounters& counters) {
 
 int drive(const DriveOptions& options) {
   const Interrupt interrupt;
+  OperatorReset operator_reset;
   pioneer::BaseDriverSettings settings = agent::load_robot_settings(options.robot).pioneer.base;
   if (options.force) settings.session.force_unknown_model = true;
   pioneer::PioneerRobot robot(settings, options.url);
@@ -72,6 +74,7 @@ int drive(const DriveOptions& options) {
                              .turn_rad_s = radians(options.turn_deg_s)};
   while (!done(options, senses, to_seconds(senses.now) - began_s,
                settings.session.acceleration_m_s2)) {
+    if (operator_reset.asked()) robot.reset();
     robot.send(command);
     robot.sense(senses);
     print_state(senses, robot.driver().report());

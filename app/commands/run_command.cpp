@@ -34,7 +34,9 @@ void add_run_command(CLI::App& app, int& exit_code) {
       "--seed 7 --result r.json\n"
       "          striate run corridor --robot pioneer "
       "--var \"way=20 m\"\n"
-      "Ctrl-C stops the robot, runs the task's 'finally' and still writes the result.");
+      "Ctrl-C stops the robot, runs the task's 'finally' and still writes the result.\n"
+      "A robot that holds because the program stood still goes on after r and Enter, or the "
+      "signal USR1.");
   command->add_option("task", options->run.mission.task, "the task script")->required();
   CLI::Option* world =
       command->add_option("--world", options->world.world,

@@ -13,6 +13,7 @@
 #include "striate/agent/simulated_body.hpp"
 #include "striate/app/commands/run_report.hpp"
 #include "striate/app/interrupt.hpp"
+#include "striate/app/operator_reset.hpp"
 #include "striate/app/status_line.hpp"
 #include "striate/base/files.hpp"
 
@@ -57,7 +58,22 @@ class Watchers {
     memory_.take(mission_.cycle());
     if (mission_.judge() != nullptr) memory_.take(*mission_.judge());
     if (options_.each_cycle) options_.each_cycle(mission_);
+    let_go_on();
     if (status_.due()) status_.show(status_text(mission_));
+  }
+
+  /// A robot that holds until it is reset waits for a person, who is told once.
+  void let_go_on() {
+    const bool asked = reset_.asked();
+    const bool waits = mission_.waits_for_reset();
+    if (waits && !told_to_wait_) {
+      status_.tell(fmt::format("the robot stands until you let it go on ({}): {}", mission_.hold(),
+                               OperatorReset::hint()));
+    }
+    told_to_wait_ = waits;
+    if (!waits || !asked) return;
+    mission_.reset_body();
+    status_.tell("the robot goes on");
   }
 
   /// @return what was recorded, for the summary; "" without a recording
@@ -79,6 +95,8 @@ class Watchers {
   agent::LiveMemory live_;
   StatusLine status_;
   Speech speech_;
+  OperatorReset reset_;
+  bool told_to_wait_ = false;
 };
 
 }  // namespace
