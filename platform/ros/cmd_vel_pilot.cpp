@@ -10,6 +10,7 @@
 
 #include "striate/base/steady_clock.hpp"
 #include "striate/platform/ros/command_lease.hpp"
+#include "striate/platform/ros/gap_watch.hpp"
 #include "striate/platform/ros/messages.hpp"
 #include "striate/platform/ros/node.hpp"
 
@@ -17,11 +18,13 @@ namespace striate::ros {
 
 struct CmdVelPilot::Parts {
   Parts(const RosSettings& settings, HeadPose rest);
+  void take_command(const MotorCommand& command, TimePoint arrived);
   ::ros::Subscriber hear_angle(const std::string& topic, double& angle_rad);
 
   SteadyClock clock;
-  mutable std::mutex mutex;  ///< guards the two below
+  mutable std::mutex mutex;  ///< guards the three below
   CommandLease lease;
+  GapWatch gaps;
   HeadPose head;
   ::ros::CallbackQueue queue;
   ::ros::NodeHandle node;
@@ -30,11 +33,14 @@ struct CmdVelPilot::Parts {
 };
 
 CmdVelPilot::Parts::Parts(const RosSettings& settings, HeadPose rest)
-    : lease(from_seconds(settings.lease_s)), head(rest), spinner(1, &queue) {
+    : lease(from_seconds(settings.lease_s)),
+      gaps(from_seconds(settings.command_gap_s), from_seconds(settings.lease_s)),
+      head(rest),
+      spinner(1, &queue) {
   node.setCallbackQueue(&queue);
   boost::function<void(const geometry_msgs::TwistConstPtr&)> take = [this](const auto& message) {
     const std::lock_guard lock(mutex);
-    lease.give(command_of(*message), clock.now());
+    take_command(command_of(*message), clock.now());
   };
   // One waits at most: an old command has no business behind a newer one.
   subscribers = {node.subscribe<geometry_msgs::Twist>(settings.cmd_vel, 1, take, nullptr,
@@ -42,6 +48,14 @@ CmdVelPilot::Parts::Parts(const RosSettings& settings, HeadPose rest)
                  hear_angle(settings.pan_command, head.pan_rad),
                  hear_angle(settings.tilt_command, head.tilt_rad)};
   spinner.start();
+}
+
+/// A Twist does not say how long it was under way. So where commands failed to come in the midst of
+/// motion, what comes next may have waited on the line: none drives before one that stands.
+void CmdVelPilot::Parts::take_command(const MotorCommand& command, TimePoint arrived) {
+  gaps.commanded(command, arrived);
+  if (command.forward_m_s == 0.0 && command.turn_rad_s == 0.0) gaps.reset();
+  lease.give(gaps.holds() ? MotorCommand{} : command, arrived);
 }
 
 ::ros::Subscriber CmdVelPilot::Parts::hear_angle(const std::string& topic, double& angle_rad) {
@@ -64,8 +78,11 @@ CmdVelPilot::~CmdVelPilot() {
 
 std::optional<MotorCommand> CmdVelPilot::wanted() const {
   const std::lock_guard lock(parts_->mutex);
-  std::optional<MotorCommand> command = parts_->lease.at(parts_->clock.now());
+  const TimePoint now = parts_->clock.now();
+  parts_->gaps.look(now);
+  std::optional<MotorCommand> command = parts_->lease.at(now);
   if (!command) return std::nullopt;
+  if (parts_->gaps.holds()) command->forward_m_s = command->turn_rad_s = 0.0;
   command->pan_rad = parts_->head.pan_rad;
   command->tilt_rad = parts_->head.tilt_rad;
   return command;

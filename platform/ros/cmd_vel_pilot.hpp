@@ -17,7 +17,8 @@ class CmdVelPilot {
   CmdVelPilot(const RosSettings& settings, HeadPose rest);
   ~CmdVelPilot();
 
-  /// The newest command; nothing where none has come within `lease`.
+  /// The newest command; nothing where none has come within `lease`. After a gap in the midst of
+  /// motion, theirs or ours, only to stand, until a command to stand has come.
   [[nodiscard]] std::optional<MotorCommand> wanted() const;
 
  private:

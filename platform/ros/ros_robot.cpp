@@ -6,20 +6,25 @@
 
 #include <algorithm>
 #include <mutex>
+#include <optional>
 #include <stdexcept>
 #include <thread>
 
 #include "striate/base/pioneer_devices.hpp"
 #include "striate/platform/ros/command_lease.hpp"
+#include "striate/platform/ros/gap_watch.hpp"
 #include "striate/platform/ros/hold_reason.hpp"
 #include "striate/platform/ros/mailbox.hpp"
 #include "striate/platform/ros/master_watch.hpp"
+#include "striate/platform/ros/motion_echo.hpp"
 #include "striate/platform/ros/node.hpp"
 
 namespace striate::ros {
 namespace {
 
 constexpr double kPublishEvery_s = 0.05;  ///< odometry and tf at 20 Hz, twice a cycle
+/// Two leases: to hear, to begin and to tell of it (ours)
+constexpr Duration kFollowsWithin = std::chrono::seconds(1);
 /// Four questions that it did not answer.
 constexpr Duration kMasterSilent = std::chrono::seconds(1);
 /// How long the last zero may take to the robot.
@@ -36,8 +41,11 @@ struct RosRobot::Parts {
   RosSettings settings;
   RobotDescription description;
   TimePoint next_cycle;
-  Mailbox mail;  ///< its mutex guards the two below, too
+  Mailbox mail;  ///< its mutex guards the five below, too
   CommandLease lease;
+  GapWatch gaps;
+  MotionEcho echo{kFollowsWithin};
+  std::optional<TimePoint> seen_at;  ///< the newest image that was handed out
   bool drives = false;  ///< something was sent: from now on silence would not be a stop
   MasterWatch master;
 
@@ -52,7 +60,11 @@ struct RosRobot::Parts {
 };
 
 RosRobot::Parts::Parts(const RosSettings& given, const RobotDescription& body)
-    : settings(given), description(body), mail(given), lease(from_seconds(given.lease_s)) {
+    : settings(given),
+      description(body),
+      mail(given),
+      lease(from_seconds(given.lease_s)),
+      gaps(from_seconds(given.longest_gap_s), from_seconds(given.command_gap_s)) {
   node.setCallbackQueue(&queue);
   subscribers = subscribe(node, settings, mail);
   cmd_vel = node.advertise<geometry_msgs::Twist>(settings.cmd_vel, 1);
@@ -65,10 +77,15 @@ RosRobot::Parts::Parts(const RosSettings& given, const RobotDescription& body)
 }
 
 std::string RosRobot::Parts::hold_reason(TimePoint now) const {
+  if (gaps.holds()) return "the program stood still";
+  if (echo.holds()) return "the robot does not follow its commands, or is late";
   if (master.silent_for() > kMasterSilent) return "the ROS master is gone";
   std::string reason = stale_sense(mail.inbox, from_seconds(settings.stale_s), now);
   if (!reason.empty()) return reason;
   if (!lease.at(now)) return "no fresh command";
+  if (seen_at && now - *seen_at > from_seconds(settings.seen_old_s)) {
+    return "what it has seen is too old";
+  }
   if (cmd_vel.getNumSubscribers() == 0) return "nobody listens on " + cmd_vel.getTopic();
   return {};
 }
@@ -78,9 +95,13 @@ void RosRobot::Parts::publish() {
   const std::lock_guard lock(mail.mutex);
   if (!drives) return;
   const TimePoint now = mail.clock.now();
+  gaps.look(now);
   const auto command = lease.at(now);
   const bool holds = !hold_reason(now).empty();
-  cmd_vel.publish(twist_of(holds ? MotorCommand{} : *command));
+  const MotorCommand sent = holds ? MotorCommand{} : *command;
+  echo.felt(mail.inbox.senses().odometry);
+  echo.commanded(sent, now);
+  cmd_vel.publish(twist_of(sent));
   if (!command) return;
   std_msgs::Float64 angle;
   angle.data = command->pan_rad;
@@ -140,6 +161,7 @@ bool RosRobot::sense(Senses& senses) {
   const std::lock_guard lock(p.mail.mutex);
   senses = p.mail.inbox.senses();
   senses.now = p.mail.clock.now();
+  p.seen_at = senses.stereo.stamp;
   if (senses.now - senses.sonar.stamp > kSonarFresh) senses.sonar.readings.clear();
   const Duration lost = from_seconds(p.settings.lost_s);
   if (senses.now - *p.mail.inbox.odometry_came() > lost) {
@@ -157,7 +179,9 @@ bool RosRobot::sense(Senses& senses) {
 void RosRobot::send(const MotorCommand& command) {
   {
     const std::lock_guard lock(parts_->mail.mutex);
-    parts_->lease.give(command, parts_->mail.clock.now());
+    const TimePoint now = parts_->mail.clock.now();
+    parts_->gaps.commanded(command, now);
+    parts_->lease.give(command, now);
     parts_->drives = true;
   }
   parts_->publish();
@@ -168,10 +192,23 @@ void RosRobot::stop() noexcept {
     {
       const std::lock_guard lock(parts_->mail.mutex);
       parts_->lease.end();
+      parts_->gaps.commanded({}, parts_->mail.clock.now());
     }
     parts_->publish();
   } catch (...) {  // what cannot be said is left to the robot's own watchdog
   }
+}
+
+void RosRobot::reset() {
+  const std::lock_guard lock(parts_->mail.mutex);
+  parts_->gaps.reset();
+  parts_->echo.reset();
+  parts_->lease.end();  // what was decided before does not drive
+}
+
+bool RosRobot::waits_for_reset() const {
+  const std::lock_guard lock(parts_->mail.mutex);
+  return parts_->gaps.holds() || parts_->echo.holds();
 }
 
 std::string RosRobot::hold() const {

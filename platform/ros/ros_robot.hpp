@@ -13,7 +13,9 @@ namespace striate::ros {
 ///
 /// Its own gate is the last: while images or odometry, or a laser that has spoken, are silent or
 /// late for longer than `stale`, or the newest command is older than `lease`, or the master has not
-/// answered for a second, zero is published. With the end of the object zero is published too.
+/// answered for a second, zero is published. Where the program did not run for a while, as when it
+/// was suspended, or nobody decided in the midst of motion, it holds until `reset`. With the end of
+/// the object zero is published too.
 class RosRobot final : public Robot {
  public:
   /// Joins ROS and waits for the first images and odometry.
@@ -32,6 +34,9 @@ class RosRobot final : public Robot {
 
   /// Why zero is published in spite of a command; "" where the command drives.
   [[nodiscard]] std::string hold() const;
+  [[nodiscard]] bool waits_for_reset() const;
+  /// Somebody has looked at the robot.
+  void reset();
 
  private:
   struct Parts;

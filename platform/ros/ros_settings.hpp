@@ -34,10 +34,13 @@ struct RosSettings {
   double lost_s = 5.0;      ///< ten times stale_s: what has not come back by then will not (ours)
   double lease_s =
       to_seconds(kCommandLease);  ///< five cycles at 10 Hz, as the Pioneer's safety gate
-  double focal_px = 0.0;          ///< 0: as CameraInfo says
-  double baseline_m = 0.0;        ///< 0: as CameraInfo says
-  double fixed_tilt_rad = 0.0;    ///< a head that looks straight ahead
-  double scan_forward_m = 0.0;    ///< above the axle, unless told
+  double seen_old_s = to_seconds(kCommandLease);     ///< as the Pioneer's safety gate
+  double longest_gap_s = to_seconds(kCommandLease);  ///< as the Pioneer's safety gate
+  double command_gap_s = 1.0;                        ///< as the Pioneer's safety gate
+  double focal_px = 0.0;                             ///< 0: as CameraInfo says
+  double baseline_m = 0.0;                           ///< 0: as CameraInfo says
+  double fixed_tilt_rad = 0.0;                       ///< a head that looks straight ahead
+  double scan_forward_m = 0.0;                       ///< above the axle, unless told
 };
 
 template <class V>
@@ -68,6 +71,12 @@ void visit(V& v, RosSettings& s) {
   v.number("lost", s.lost_s, Unit::duration, {0.5, 600.0},
            "the mission ends when they are silent for so long");
   v.number("lease", s.lease_s, Unit::duration, {0.05, 0.5}, "an older command does not drive");
+  v.number("seen_old", s.seen_old_s, Unit::duration, {0.1, 0.5},
+           "a command does not drive when the image it was decided by is older");
+  v.number("longest_gap", s.longest_gap_s, Unit::duration, {0.3, 1.0},
+           "after not running for so long, as when suspended, it stands until it is reset");
+  v.number("command_gap", s.command_gap_s, Unit::duration, {0.5, 10.0},
+           "without a command for so long in the midst of motion it stands until it is reset");
   v.number("focal", s.focal_px, Unit::none, {0.0, 100000.0},
            "px; 0: as CameraInfo says; counts before it");
   v.number("baseline", s.baseline_m, Unit::length, {0.0, 10.0},

@@ -6,6 +6,7 @@
 
 #include <atomic>
 #include <mutex>
+#include <thread>
 
 #include "striate/platform/ros/messages.hpp"
 #include "striate/platform/ros/node.hpp"
@@ -51,6 +52,7 @@ class FakeRobot {
 
   std::atomic<double> forward_m_s{0.0};
   std::atomic<bool> has_eyes{true};
+  std::atomic<bool> is_deaf{false};  ///< does not move, whatever it is told
   std::atomic<double> odometry_late_s{0.0};
 
  private:
@@ -58,7 +60,7 @@ class FakeRobot {
     nav_msgs::Odometry odometry;
     odometry.header.stamp = ::ros::Time::now() - ::ros::Duration(odometry_late_s);
     odometry.pose.pose.orientation.w = 1.0;
-    odometry.twist.twist.linear.x = forward_m_s;
+    odometry.twist.twist.linear.x = is_deaf ? 0.0 : forward_m_s.load();
     odometry_.publish(odometry);
     if (!has_eyes) return;
     sensor_msgs::Image image;
@@ -123,6 +125,39 @@ TEST_F(ThroughRos, ARobotWithoutImagesIsToldToStandHoweverItIsCommanded) {
   fake.odometry_late_s = 0.8;
   EXPECT_THAT(drive_until_held(robot, fake), testing::StartsWith("odometry is"));
   EXPECT_LT(fake.drove_for_s(late), 0.3);
+}
+
+TEST_F(ThroughRos, ARobotThatDoesNotFollowItsCommandsHoldsUntilReset) {
+  FakeRobot fake;
+  ros::RosRobot robot(patient(), {}, 20s);
+  fake.is_deaf = true;
+  EXPECT_THAT(drive_until_held(robot, fake), testing::HasSubstr("does not follow"));
+  fake.is_deaf = false;
+  Senses senses;
+  until(robot, senses, 1.0, [&] {
+    robot.send({0.3, 0.0, 0.0, 0.0});
+    EXPECT_EQ(fake.forward_m_s, 0.0);
+    return false;
+  });
+  EXPECT_TRUE(robot.waits_for_reset());
+  robot.reset();
+  drive_freely(robot, fake);
+}
+
+TEST_F(ThroughRos, AMindThatHangsInTheMidstOfMotionHoldsUntilReset) {
+  FakeRobot fake;
+  ros::RosRobot robot(patient(), {}, 20s);
+  drive_freely(robot, fake);
+  std::this_thread::sleep_for(1200ms);
+  Senses senses;
+  until(robot, senses, 1.0, [&] {
+    robot.send({0.3, 0.0, 0.0, 0.0});
+    EXPECT_EQ(fake.forward_m_s, 0.0);
+    return false;
+  });
+  EXPECT_EQ(robot.hold(), "the program stood still");
+  robot.reset();
+  drive_freely(robot, fake);
 }
 
 TEST_F(ThroughRos, TheEndOfTheMissionIsAZeroOnCmdVel) {
