@@ -1,12 +1,18 @@
+#include <fcntl.h>
+
 #include <array>
 #include <boost/asio/connect.hpp>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/local/stream_protocol.hpp>
 #include <boost/asio/serial_port.hpp>
 #include <boost/asio/steady_timer.hpp>
 #include <boost/asio/write.hpp>
+#include <optional>
+#include <system_error>
 #include <thread>
 
+#include "striate/platform/pioneer/keeper/kept_line.hpp"
 #include "striate/platform/pioneer/transport.hpp"
 #include "striate/platform/pioneer/transport_url.hpp"
 
@@ -29,7 +35,8 @@ constexpr auto kConnectPatience = std::chrono::seconds(3);
 template <class Stream>
 class StreamLine : public Transport {
  public:
-  explicit StreamLine(TransportUrl url) : url_(std::move(url)), stream_(io_) {}
+  StreamLine(TransportUrl url, bool kept)
+      : url_(std::move(url)), stream_(io_), kept_(kept), end_(io_) {}
 
   void open() override {
     close();
@@ -74,11 +81,18 @@ class StreamLine : public Transport {
  protected:
   virtual void begin_open() = 0;
   virtual void end_open() {}
+  /// Takes the open line's descriptor out of the stream. @throws std::system_error
+  virtual int take_descriptor() = 0;
 
   void opened() {
+    try {
+      if (kept_) have_it_kept();
+    } catch (const std::system_error& error) {
+      return fail(error.what());  // nobody would stop the robot if this program died
+    }
     opening_ = false;
     open_ = true;
-    read_on();
+    kept_ ? read_on(end_) : read_on(stream_);
   }
   void fail(const std::string& why) {
     shut();
@@ -88,6 +102,8 @@ class StreamLine : public Transport {
     end_open();
     error_code ignored;
     stream_.close(ignored);
+    if (keeper_) keeper_->let_go([&] { end_.close(ignored); });
+    keeper_.reset();
     open_ = opening_ = writing_ = false;
     ++generation_;
     inbox_.clear();
@@ -107,26 +123,40 @@ class StreamLine : public Transport {
   bool opening_ = false;
 
  private:
-  void read_on() {
-    stream_.async_read_some(asio::buffer(chunk_),
-                            current([this](const error_code& error, std::size_t size) {
-                              if (error) return fail(error.message());
-                              append(inbox_, ByteView(chunk_).first(size));
-                              read_on();
-                            }));
+  void have_it_kept() {
+    keeper_.emplace(take_descriptor());
+    end_.assign(asio::local::stream_protocol(), keeper_->release_end());
   }
-  void write_on() {
+  template <class Line>
+  void read_on(Line& line) {
+    line.async_read_some(asio::buffer(chunk_),
+                         current([this, &line](const error_code& error, std::size_t size) {
+                           if (error) return fail(why(error));
+                           append(inbox_, ByteView(chunk_).first(size));
+                           read_on(line);
+                         }));
+  }
+  void write_on() { kept_ ? write_on(end_) : write_on(stream_); }
+  template <class Line>
+  void write_on(Line& line) {
     writing_ = true;
     under_way_.swap(outbox_);
     outbox_.clear();
-    asio::async_write(stream_, asio::buffer(under_way_),
-                      current([this](const error_code& error, std::size_t) {
-                        if (error) return fail(error.message());
+    asio::async_write(line, asio::buffer(under_way_),
+                      current([this, &line](const error_code& error, std::size_t) {
+                        if (error) return fail(why(error));
                         writing_ = false;
-                        if (!outbox_.empty()) write_on();
+                        if (!outbox_.empty()) write_on(line);
                       }));
   }
+  /// The keeper ends when the robot's end does; then that is what has happened.
+  [[nodiscard]] std::string why(const error_code& error) const {
+    return kept_ ? "the robot's line was closed" : error.message();
+  }
 
+  bool kept_;
+  std::optional<KeptLine> keeper_;
+  asio::local::stream_protocol::socket end_;  ///< ours of the keeper's line
   bool open_ = false;
   bool writing_ = false;
   std::uint64_t generation_ = 0;
@@ -139,7 +169,8 @@ class StreamLine : public Transport {
 
 class TcpLine final : public StreamLine<Tcp::socket> {
  public:
-  explicit TcpLine(TransportUrl url) : StreamLine(std::move(url)), resolver_(io_), patience_(io_) {}
+  TcpLine(TransportUrl url, bool kept)
+      : StreamLine(std::move(url), kept), resolver_(io_), patience_(io_) {}
 
  private:
   void begin_open() override {
@@ -170,6 +201,7 @@ class TcpLine final : public StreamLine<Tcp::socket> {
     patience_.cancel();
     resolver_.cancel();
   }
+  int take_descriptor() override { return stream_.release(); }
 
   Tcp::resolver resolver_;
   asio::steady_timer patience_;
@@ -194,14 +226,36 @@ class SerialLine final : public StreamLine<asio::serial_port> {
       fail(url_.device + ": " + error.code().message());
     }
   }
+  /// A serial port of Asio's cannot give its own away; a terminal keeps what was set.
+  int take_descriptor() override {
+    const int file = ::open(url_.device.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
+    if (file < 0) throw std::system_error(errno, std::generic_category(), url_.device);
+    error_code ignored;
+    stream_.close(ignored);
+    return file;
+  }
 };
 
 }  // namespace
 
-std::unique_ptr<Transport> make_transport(const std::string& url) {
+namespace {
+
+std::unique_ptr<Transport> make_line(const std::string& url, bool kept) {
   TransportUrl place = parse_transport_url(url);
-  if (place.kind == TransportUrl::Kind::tcp) return std::make_unique<TcpLine>(std::move(place));
-  return std::make_unique<SerialLine>(std::move(place));
+  if (place.kind == TransportUrl::Kind::tcp) {
+    return std::make_unique<TcpLine>(std::move(place), kept);
+  }
+  return std::make_unique<SerialLine>(std::move(place), kept);
+}
+
+}  // namespace
+
+std::unique_ptr<Transport> make_transport(const std::string& url) {
+  return make_line(url, false);
+}
+
+std::unique_ptr<Transport> make_kept_transport(const std::string& url) {
+  return make_line(url, true);
 }
 
 }  // namespace striate::pioneer

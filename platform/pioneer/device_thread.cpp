@@ -57,19 +57,28 @@ void DeviceThread::run() {
       device_.tick(now);
       send(device_.take_output());
     } catch (const std::exception& error) {
-      // A device that cannot be understood is one that is lost: it is begun anew.
-      trouble_.put(error.what());
-      line_->close();
-      std::this_thread::sleep_for(kTick);
+      begin_anew(error.what());
+    } catch (...) {
+      begin_anew("an unknown error");
     }
   }
   try {
     device_.close();
     send(device_.take_output());
     line_->close();
-  } catch (const std::exception& error) {
-    trouble_.put(error.what());
+  } catch (...) {  // nobody is there any more who would ask why
   }
+}
+
+/// A device that cannot be understood is one that is lost: what it senses gets old, and the robot
+/// stands. Nothing may leave the thread, for that would end the program.
+void DeviceThread::begin_anew(const char* why) noexcept {
+  try {
+    trouble_.put(why);
+    line_->close();
+  } catch (...) {  // no memory for the words: the next round tries again
+  }
+  std::this_thread::sleep_for(kTick);
 }
 
 }  // namespace striate::pioneer

@@ -39,6 +39,7 @@ class DeviceThread {
 
  private:
   void run();
+  void begin_anew(const char* why) noexcept;
   void care_for_the_line(TimePoint now);
   void send(const Bytes& bytes);
 

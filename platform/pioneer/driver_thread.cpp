@@ -150,16 +150,26 @@ void DriverThread::run() {
     }
     say_goodbye();
   } catch (const std::exception& error) {
-    try {
-      say_goodbye();
-    } catch (...) {  // a line that is gone: the robot's own watchdog stops it
-    }
-    const std::lock_guard lock(mutex_);
-    report_.state = LinkState::closed;
-    report_.hold = HoldReason::link_lost;
-    report_.trouble = error.what();
-    told_.notify_all();
+    give_up(error.what());
+  } catch (...) {
+    give_up("an unknown error");
   }
+}
+
+/// Nothing may leave the thread, for that would end the program before the robot is told.
+void DriverThread::give_up(const char* why) noexcept {
+  try {
+    say_goodbye();
+  } catch (...) {  // a line that is gone: its keeper or the robot's own watchdog stops it
+  }
+  const std::lock_guard lock(mutex_);
+  report_.state = LinkState::closed;
+  report_.hold = HoldReason::link_lost;
+  try {
+    report_.trouble = why;
+  } catch (...) {  // no memory for the words, either
+  }
+  told_.notify_all();
 }
 
 }  // namespace striate::pioneer

@@ -72,6 +72,7 @@ class DriverThread {
   void tell(TimePoint now);
   void brake_to_a_stand();
   void say_goodbye();
+  void give_up(const char* why) noexcept;
 
   const Clock& clock_;
   std::unique_ptr<Transport> line_;

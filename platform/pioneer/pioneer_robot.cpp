@@ -50,7 +50,8 @@ PioneerRobot::PioneerRobot(const BaseDriverSettings& settings, const std::string
 
 PioneerRobot::PioneerRobot(const PioneerSettings& settings, const RobotDescription& body,
                            Duration patience)
-    : driver_(settings.base, make_transport(settings.devices.base), clock_), description_(body) {
+    : driver_(settings.base, make_kept_transport(settings.devices.base), clock_),
+      description_(body) {
   connect_devices(settings);
   wait_for_all(settings.devices, patience);
   describe(settings);

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "striate/base/stopping_speed.hpp"
+#include "striate/platform/pioneer/keeper/line_keeper.hpp"
 
 namespace striate::pioneer {
 
@@ -29,6 +30,9 @@ constexpr std::array<std::size_t, 4> kRearDiscs{10, 11, 12, 13};
 constexpr double kCreepsMm_s = 10.0;
 /// Of the brake that the gate counts on; less where the robot was told less.
 constexpr double kMostBrakeMm_s2 = 300.0;
+/// While the robot moves; the line's keeper must hear the mind before its lease ends, also when one
+/// word comes late (keeper/line_keeper.hpp)
+constexpr Duration kSayAgainWithin = kMindLease * 2 / 5;
 
 }  // namespace
 
@@ -247,7 +251,9 @@ void SafetyGate::send(const Motion& motion, TimePoint now) {
   const int forward = static_cast<int>(std::lround(motion.forward_mm_s));
   const int turn = static_cast<int>(std::lround(motion.turn_deg_s));
   const bool same = sent_ && forward == sent_forward_mm_s_ && turn == sent_turn_deg_s_;
-  if (same && now - sent_at_ < from_seconds(settings_.send_every_s)) return;
+  Duration again = from_seconds(settings_.send_every_s);
+  if (forward != 0 || turn != 0) again = std::min(again, kSayAgainWithin);
+  if (same && now - sent_at_ < again) return;
   session_.send(arcos::command(Command::velocity, forward));
   session_.send(arcos::command(Command::rotation_velocity, turn));
   sent_forward_mm_s_ = forward;

@@ -32,5 +32,8 @@ class Transport {
 /// serial:/dev/ttyUSB0?baud=38400, tcp://host:8101 (the port may be left out), pty:/dev/pts/3.
 /// @throws UserError for any other text.
 [[nodiscard]] std::unique_ptr<Transport> make_transport(const std::string& url);
+/// The same for what moves: a process of its own holds the line and stops the robot when this one
+/// dies, see keeper/kept_line.hpp.
+[[nodiscard]] std::unique_ptr<Transport> make_kept_transport(const std::string& url);
 
 }  // namespace striate::pioneer

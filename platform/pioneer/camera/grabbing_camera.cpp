@@ -81,14 +81,28 @@ void GrabbingCamera::grab_on() {
   }
 }
 
+/// The images get old, and the robot stands. Nothing may leave the thread, for that would end the
+/// program.
+void GrabbingCamera::note_trouble(const char* why) noexcept {
+  try {
+    trouble_.put(why);
+  } catch (...) {  // no memory for the words, either
+  }
+}
+
 void GrabbingCamera::run() {
   while (!ends_) {
     try {
       grab_on();
     } catch (const std::exception& error) {
-      trouble_.put(error.what());
+      note_trouble(error.what());
+    } catch (...) {
+      note_trouble("an unknown error");
     }
-    source_->close();
+    try {
+      source_->close();
+    } catch (...) {  // what is broken may not be closed, either; it is opened anew
+    }
     const auto end = std::chrono::steady_clock::now() + kOpenAgain;
     while (!ends_ && std::chrono::steady_clock::now() < end) std::this_thread::sleep_for(kLook);
   }

@@ -30,6 +30,7 @@ class GrabbingCamera final : public StereoCamera {
  private:
   void run();
   void grab_on();
+  void note_trouble(const char* why) noexcept;
   void hand_on(const cv::Mat3b& left, const cv::Mat3b& right);
   [[nodiscard]] TimePoint taken_at();
   [[nodiscard]] StereoFrame as_it_is(const cv::Mat3b& left, const cv::Mat3b& right) const;
