@@ -65,7 +65,7 @@ Mission::Mission(MissionParts parts)
 RunResult Mission::run(const EachCycle& each_cycle) {
   try {
     bool goes_on = true;
-    while (goes_on) {
+    while (goes_on && !abandoned_) {
       goes_on = step();
       const bool asked_to_end = each_cycle(*this);
       watch_the_judge();
@@ -73,6 +73,8 @@ RunResult Mission::run(const EachCycle& each_cycle) {
     }
   } catch (const std::exception& error) {
     lost_ = error.what();
+  } catch (...) {
+    lost_ = "an unknown error";
   }
   watched_.stop();
   return result();

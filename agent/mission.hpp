@@ -63,6 +63,11 @@ class Mission {
   void interrupt(const std::string& why) {
     executive_.interrupt(tasks::MissionState::interrupted, why);
   }
+  /// Ends run() after this cycle as an interrupted one, also where `finally` is not done.
+  void abandon() {
+    interrupt("interrupted");
+    abandoned_ = true;
+  }
 
   void set_pilot(CognitiveCycle::Pilot pilot) { cycle_.set_pilot(std::move(pilot)); }
   [[nodiscard]] const CognitiveCycle& cycle() const { return cycle_; }
@@ -111,6 +116,7 @@ class Mission {
   double wall_s_ = 0.0;
   double driven_m_ = 0.0;  ///< by odometry
   Pose2 last_pose_;
+  bool abandoned_ = false;
   std::string lost_;  ///< why the body was lost; empty: it was not
 };
 

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "striate/agent/open_memory.hpp"
-#include "striate/base/user_error.hpp"
 #include "striate/memory/localisation/map_keeping.hpp"
 #include "striate/memory/long_term/learning.hpp"
 
@@ -87,8 +86,9 @@ void MissionMemory::keep_lessons(const CycleTrace& trace) {
   }
 }
 
-void MissionMemory::finish(CognitiveCycle& cycle, const RunResult& result) {
-  if (writer_ == nullptr) return;
+std::string MissionMemory::finish(CognitiveCycle& cycle, const RunResult& result) {
+  if (writer_ == nullptr) return {};
+  std::string lost;
   cycle.close_map(row_of(result.outcome).failed);
   try {
     writer_->commit([&](memory::MemoryTables& tables) {
@@ -102,13 +102,15 @@ void MissionMemory::finish(CognitiveCycle& cycle, const RunResult& result) {
       tables.sessions.add(episode_now("end", text));
       tables.sessions.end(session_.id, result.duration_s, text);
     });
-  } catch (const UserError& error) {
-    fmt::print(stderr, "{}\n", error.what());
+  } catch (const std::exception& error) {
+    lost = error.what();
   }
   if (writer_->lost() > 0) {
-    fmt::print(stderr, "{} episodes were not kept: {}\n", writer_->lost(), writer_->why_lost());
+    if (!lost.empty()) lost += "\n";
+    lost += fmt::format("{} episodes were not kept: {}", writer_->lost(), writer_->why_lost());
   }
   writer_.reset();
+  return lost;
 }
 
 void MissionMemory::take_map(CognitiveCycle& cycle) {

@@ -23,8 +23,8 @@ class MissionMemory {
   void take(CognitiveCycle& cycle);
   /// After it, in a simulated world: what only a judge beside the robot knows.
   void take(const simulator::Judge& judge);
-  /// Closes the session. What could not be kept is said on standard error: the mission is over.
-  void finish(CognitiveCycle& cycle, const RunResult& result);
+  /// Closes the session. @return what could not be kept, a line each; "" for nothing
+  std::string finish(CognitiveCycle& cycle, const RunResult& result);
 
  private:
   /// What is new about places goes to the writer, now and then.

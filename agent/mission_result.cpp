@@ -18,6 +18,8 @@ bool Mission::succeeded() const {
 
 RunOutcome Mission::outcome() const {
   if (!lost_.empty()) return RunOutcome::lost;
+  const bool ended = executive_.state() != tasks::MissionState::running;
+  if (abandoned_ && !ended) return RunOutcome::interrupted;
   if (executive_.state() == tasks::MissionState::interrupted) return RunOutcome::interrupted;
   if (judge() != nullptr && !judge()->collisions().empty()) return RunOutcome::collision;
   if (succeeded()) return RunOutcome::success;

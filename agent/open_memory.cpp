@@ -1,9 +1,9 @@
 #include "striate/agent/open_memory.hpp"
 
-#include <fmt/format.h>
-
 #include <cstdio>
 #include <ctime>
+
+#include "striate/base/say.hpp"
 
 namespace striate::agent {
 
@@ -20,7 +20,7 @@ std::string software_name() {
 }
 
 void print_notices(const std::vector<std::string>& notices) {
-  for (const std::string& notice : notices) fmt::print(stderr, "{}\n", notice);
+  for (const std::string& notice : notices) say(stderr, notice + "\n");
 }
 
 }  // namespace striate::agent

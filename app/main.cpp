@@ -1,3 +1,4 @@
+#include <fcntl.h>
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -14,6 +15,7 @@
 #include "striate/app/command_line/mistakes.hpp"
 #include "striate/app/command_line/old_names.hpp"
 #include "striate/app/commands/commands.hpp"
+#include "striate/base/say.hpp"
 #include "striate/base/user_error.hpp"
 
 namespace {
@@ -48,7 +50,7 @@ constexpr const char* kFooter =
 /// Parses and runs the command. @returns false after having said what is wrong with the words.
 bool parse(CLI::App& app, std::vector<std::string> words) {
   for (const std::string& note : striate::app::use_new_names(app, words)) {
-    fmt::print(stderr, "{}\n", note);
+    striate::say(stderr, note + "\n");
   }
   try {
     app.parse(std::vector<std::string>(words.rbegin(), words.rend()));
@@ -57,7 +59,7 @@ bool parse(CLI::App& app, std::vector<std::string> words) {
     const bool help = error.get_exit_code() == 0;
     const std::string diagnostic = help ? striate::app::unknown_command(app, words)
                                         : striate::app::command_line_diagnostic(app, words, error);
-    if (!diagnostic.empty()) fmt::print(stderr, "{}\n", diagnostic);
+    if (!diagnostic.empty()) striate::say(stderr, diagnostic + "\n");
     return help && diagnostic.empty() && app.exit(error) == 0;
   }
 }
@@ -97,23 +99,33 @@ int run(int argc, char** argv) {
 int told(int exit_code) {
   std::cout.flush();
   if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0 && std::cout.good()) return exit_code;
-  fmt::print(stderr, "striate: standard output cannot be written: {}\n", std::strerror(errno));
+  striate::say(stderr, fmt::format("striate: standard output cannot be written: {}\n",
+                                   std::strerror(errno)));
   return exit_code == 0 ? 1 : exit_code;
+}
+
+/// A file that is opened where a standard stream was closed would be given what is printed: the
+/// status line would go into the memory. Read-only, so that writing there still fails.
+void fill_closed_streams() {
+  for (int stream = 0; stream < 3; ++stream) {
+    if (::fcntl(stream, F_GETFD) < 0) (void)!::open("/dev/null", O_RDONLY);
+  }
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
+  fill_closed_streams();
   // One thread: images are small, a robot's cycle must not wait for a busy pool, and trials use
   // the cores by running missions side by side.
   cv::setNumThreads(1);
   try {
     return told(run(argc, argv));
   } catch (const striate::UserError& error) {
-    fmt::print(stderr, "{}\n", error.what());
+    striate::say(stderr, std::string(error.what()) + "\n");
     return 2;
   } catch (const std::exception& error) {
-    fmt::print(stderr, "striate: {}\n", error.what());
+    striate::say(stderr, std::string("striate: ") + error.what() + "\n");
     return 1;
   }
 }

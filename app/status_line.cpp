@@ -1,10 +1,11 @@
 #include "striate/app/status_line.hpp"
 
-#include <fmt/format.h>
 #include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <cstdio>
+
+#include "striate/base/say.hpp"
 
 namespace striate::app {
 namespace {
@@ -35,25 +36,26 @@ void StatusLine::show(const std::string& text) {
   if (quiet_) return;
   last_ = WallClock::now();
   if (terminal_) {
-    fmt::print(stderr, "\r\033[K{}", text.substr(0, terminal_width() - 1));
+    put("\r\033[K" + text.substr(0, terminal_width() - 1));
     shown_ = true;
   } else {
-    fmt::print(stderr, "{}\n", text);
+    put(text + "\n");
   }
-  std::fflush(stderr);
 }
 
 void StatusLine::tell(const std::string& text) {
   if (quiet_) return;
   clear();
-  fmt::print(stderr, "{}\n", text);
-  std::fflush(stderr);
+  put(text + "\n");
+}
+
+void StatusLine::put(std::string_view text) noexcept {
+  if (!say_without_waiting(stderr, text)) failed_ = true;
 }
 
 void StatusLine::clear() {
   if (!terminal_ || !shown_) return;
-  fmt::print(stderr, "\r\033[K");
-  std::fflush(stderr);
+  put("\r\033[K");
   shown_ = false;
 }
 

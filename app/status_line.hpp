@@ -2,11 +2,13 @@
 
 #include <chrono>
 #include <string>
+#include <string_view>
 
 namespace striate::app {
 
 /// The live line of a mission on standard error: rewritten in place on a terminal, a plain line
-/// every ten seconds elsewhere, nothing when quiet.
+/// every ten seconds elsewhere, nothing when quiet. Never fails and never waits: what cannot be
+/// shown is left out.
 class StatusLine {
  public:
   explicit StatusLine(bool quiet);
@@ -21,12 +23,17 @@ class StatusLine {
   void tell(const std::string& text);
   /// Removes the line from a terminal, so that other output starts clean.
   void clear();
+  /// Something could not be written.
+  [[nodiscard]] bool failed() const { return failed_; }
 
  private:
+  void put(std::string_view text) noexcept;
+
   using WallClock = std::chrono::steady_clock;
   bool quiet_;
   bool terminal_;
   bool shown_ = false;
+  bool failed_ = false;
   WallClock::time_point last_;
 };
 

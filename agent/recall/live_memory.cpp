@@ -1,7 +1,5 @@
 #include "striate/agent/recall/live_memory.hpp"
 
-#include <fmt/format.h>
-
 #include "striate/agent/memory_json.hpp"
 #include "striate/agent/recall/memory_state.hpp"
 #include "striate/base/files.hpp"
@@ -38,6 +36,18 @@ void LiveMemory::take(const CognitiveCycle& cycle, const tasks::Executive& execu
   wake_.notify_one();
 }
 
+/// @return why it could not be written
+std::string LiveMemory::keep(const nlohmann::ordered_json& state) const {
+  try {
+    write_file(file_, print_json(state));
+  } catch (const std::exception& error) {
+    return error.what();
+  } catch (...) {
+    return "an unknown error";
+  }
+  return {};
+}
+
 void LiveMemory::work() {
   std::unique_lock lock(mutex_);
   while (true) {
@@ -46,26 +56,21 @@ void LiveMemory::work() {
     const nlohmann::ordered_json state = std::move(*mailbox_);
     mailbox_.reset();
     lock.unlock();
-    std::string why;
-    try {
-      write_file(file_, print_json(state));
-    } catch (const std::exception& error) {
-      why = error.what();
-    }
+    const std::string why = keep(state);
     lock.lock();
     why_lost_ = why;
   }
 }
 
-void LiveMemory::finish() {
-  if (!thread_.joinable()) return;
+std::string LiveMemory::finish() {
+  if (!thread_.joinable()) return {};
   {
     const std::lock_guard lock(mutex_);
     ending_ = true;
   }
   wake_.notify_one();
   thread_.join();
-  if (!why_lost_.empty()) fmt::print(stderr, "{}\n", why_lost_);
+  return why_lost_;
 }
 
 }  // namespace striate::agent

@@ -25,11 +25,12 @@ class LiveMemory {
 
   /// Called each cycle.
   void take(const CognitiveCycle& cycle, const tasks::Executive& executive, std::uint64_t number);
-  /// Writes what waits. What could not be written is said on standard error.
-  void finish();
+  /// Writes what waits. @return what could not be written and why; "" for nothing
+  std::string finish();
 
  private:
   void work();
+  [[nodiscard]] std::string keep(const nlohmann::ordered_json& state) const;
 
   std::string file_;
   std::chrono::steady_clock::time_point taken_;

@@ -38,15 +38,20 @@ void MissionRecorder::take(const Mission& mission) {
   if (recorder_) recorder_->take(mission.cycle().trace(), mission.executive());
 }
 
-std::string MissionRecorder::finish() {
+RecordingEnd MissionRecorder::finish() {
   if (!recorder_) return {};
+  RecordingEnd end;
   const RecorderReport report = recorder_->finish();
   if (report.lost > 0) {
-    fmt::print(stderr, "{}: {} of {} cycles were not recorded: {}\n", file_, report.lost,
-               report.kept + report.lost, report.why_lost);
+    end.lost = fmt::format("{}: {} of {} cycles were not recorded: {}", file_, report.lost,
+                           report.kept + report.lost, report.why_lost);
+  } else if (report.failed) {
+    end.lost = fmt::format("{}: its end is missing: {}", file_, report.why_lost);
   }
-  return fmt::format("{}, {} cycles, {:.1f} MB", file_, report.kept,
-                     static_cast<double>(report.bytes) / 1e6);
+  end.failed = report.failed;
+  end.kept = fmt::format("{}, {} cycles, {:.1f} MB", file_, report.kept,
+                         static_cast<double>(report.bytes) / 1e6);
+  return end;
 }
 
 }  // namespace striate::agent

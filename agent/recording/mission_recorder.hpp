@@ -12,6 +12,13 @@ namespace striate::agent {
 /// @throws UserError where a file cannot be read any more
 [[nodiscard]] replay::RecordedSetup setup_of(const Mission& mission);
 
+/// What a person is told of a recording.
+struct RecordingEnd {
+  std::string kept;     ///< in how many bytes; "" without a file
+  std::string lost;     ///< how much and why; "" for nothing
+  bool failed = false;  ///< the file could not be written on
+};
+
 /// The recording of a mission; watches from outside, as MissionImages does.
 class MissionRecorder {
  public:
@@ -23,9 +30,8 @@ class MissionRecorder {
   void begin(const Mission& mission);
   /// Called each cycle, before anything ends the task from outside.
   void take(const Mission& mission);
-  /// Closes the file. What was lost is said on standard error.
-  /// @return for the summary: what was kept, in how many bytes; "" without a file
-  std::string finish();
+  /// Closes the file.
+  RecordingEnd finish();
 
  private:
   std::string file_;

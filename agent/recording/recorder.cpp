@@ -8,6 +8,7 @@
 #include <cerrno>
 #include <csignal>
 #include <cstring>
+#include <exception>
 
 #include "striate/agent/recording/decision.hpp"
 #include "striate/base/files.hpp"
@@ -106,14 +107,32 @@ void Recorder::work() {
 }
 
 void Recorder::keep(const Slot& slot) {
-  if (!failed_) {
+  if (!failed_) failed_ = !write_cycle(slot);
+  const std::lock_guard lock(mutex_);
+  ++(failed_ ? report_.lost : report_.kept);
+}
+
+/// An image that cannot be encoded, or no memory for it, ends the recording, not the program.
+bool Recorder::write_cycle(const Slot& slot) {
+  try {
     replay::encode(slot.cycle, slot.same_images, payload_);
     chunk_.clear();
     replay::append_chunk(chunk_, replay::Chunk::cycle, payload_);
-    failed_ = !write(chunk_);
+    return write(chunk_);
+  } catch (const std::exception& error) {
+    note_failure(error.what());
+  } catch (...) {
+    note_failure("an unknown error");
   }
+  return false;
+}
+
+void Recorder::note_failure(const char* why) noexcept {
   const std::lock_guard lock(mutex_);
-  ++(failed_ ? report_.lost : report_.kept);
+  try {
+    report_.why_lost = why;
+  } catch (...) {  // no memory for the words, either
+  }
 }
 
 /// All or nothing: what was written in part is cut off again.
@@ -126,8 +145,7 @@ bool Recorder::write(const std::vector<std::uint8_t>& bytes) {
       const int error = errno;
       // Where that fails too, readers find the end by themselves.
       (void)!::ftruncate(descriptor_, static_cast<off_t>(whole_bytes_));
-      const std::lock_guard lock(mutex_);
-      report_.why_lost = std::strerror(error);
+      note_failure(std::strerror(error));
       return false;
     }
     done += static_cast<std::size_t>(got);
@@ -142,10 +160,15 @@ void Recorder::close_file() {
     ByteWriter(payload_).put(report_.lost);
     chunk_.clear();
     replay::append_chunk(chunk_, replay::Chunk::end, payload_);
-    (void)write(chunk_);
+    failed_ = !write(chunk_);
   }
-  ::close(descriptor_);
+  // Some disks say only now that they were full.
+  if (::close(descriptor_) != 0 && !failed_) {
+    failed_ = true;
+    note_failure(std::strerror(errno));
+  }
   descriptor_ = -1;
+  report_.failed = failed_;
   report_.bytes = whole_bytes_;
 }
 

@@ -19,6 +19,7 @@ struct RecorderReport {
   std::uint64_t lost = 0;   ///< cycles that are not
   std::uint64_t bytes = 0;  ///< size of the file
   std::string why_lost;     ///< in words; empty: nothing was lost
+  bool failed = false;      ///< the file could not be written on: it is cut off
 };
 
 /// Writes each cycle of a run into a file, in a thread of its own. The cycle hands over a copy and
@@ -47,6 +48,8 @@ class Recorder {
   void fill(Slot& slot, const CycleTrace& trace, const tasks::Executive& executive);
   void work();
   void keep(const Slot& slot);
+  bool write_cycle(const Slot& slot);
+  void note_failure(const char* why) noexcept;
   bool write(const std::vector<std::uint8_t>& bytes);
   void close_file();
 

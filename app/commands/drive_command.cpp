@@ -9,6 +9,7 @@
 #include "striate/app/commands/commands.hpp"
 #include "striate/app/interrupt.hpp"
 #include "striate/app/operator_reset.hpp"
+#include "striate/base/say.hpp"
 #include "striate/base/user_error.hpp"
 #include "striate/platform/pioneer/pioneer_robot.hpp"
 
@@ -33,11 +34,12 @@ constexpr double kLongestDrive_s = 600.0;
 
 void print_state(const Senses& senses, const pioneer::DriverReport& report) {
   const Pose2& pose = senses.odometry.pose;
-  fmt::print("{:7.2f} s  x {:+.3f} m  y {:+.3f} m  {:+6.1f} deg  {:+.2f} m/s  {:.1f} V  {}\n",
-             to_seconds(senses.now), pose.x_m, pose.y_m, degrees(pose.heading_rad),
-             senses.odometry.forward_m_s, senses.battery_v,
-             report.hold == pioneer::HoldReason::none ? "" : name_of(report.hold));
-  std::fflush(stdout);
+  const std::string line =
+      fmt::format("{:7.2f} s  x {:+.3f} m  y {:+.3f} m  {:+6.1f} deg  {:+.2f} m/s  {:.1f} V  {}\n",
+                  to_seconds(senses.now), pose.x_m, pose.y_m, degrees(pose.heading_rad),
+                  senses.odometry.forward_m_s, senses.battery_v,
+                  report.hold == pioneer::HoldReason::none ? "" : name_of(report.hold));
+  say_without_waiting(stdout, line);
 }
 
 /// The way or the time that was asked for is over.
@@ -52,12 +54,13 @@ bool done(const DriveOptions& options, const Senses& senses, double since_s, dou
 }
 
 void print_counters(const pioneer::LinkCounters& counters) {
-  fmt::print(
-      "packets {}, bad checksums {}, bad lengths {}, incomplete {}, junk bytes {}, malformed {}, "
-      "unknown {}, connections {}\n",
-      counters.stream.packets, counters.stream.bad_checksum, counters.stream.bad_length,
-      counters.stream.incomplete, counters.stream.junk_bytes, counters.malformed, counters.unknown,
-      counters.connections);
+  say(stdout,
+      fmt::format("packets {}, bad checksums {}, bad lengths {}, incomplete {}, junk bytes {}, "
+                  "malformed {}, "
+                  "unknown {}, connections {}\n",
+                  counters.stream.packets, counters.stream.bad_checksum, counters.stream.bad_length,
+                  counters.stream.incomplete, counters.stream.junk_bytes, counters.malformed,
+                  counters.unknown, counters.connections));
 }
 
 int drive(const DriveOptions& options) {
@@ -66,7 +69,7 @@ int drive(const DriveOptions& options) {
   pioneer::BaseDriverSettings settings = agent::load_robot_settings(options.robot).pioneer.base;
   if (options.force) settings.session.force_unknown_model = true;
   pioneer::PioneerRobot robot(settings, options.url);
-  fmt::print("connected to {}\n", robot.driver().report().robot);
+  say_without_waiting(stdout, fmt::format("connected to {}\n", robot.driver().report().robot));
   Senses senses;
   robot.sense(senses);
   const double began_s = to_seconds(senses.now);
@@ -91,9 +94,9 @@ int drive(const DriveOptions& options) {
   const pioneer::DriverReport report = robot.driver().report();
   print_state(senses, report);
   if (report.true_pose) {
-    fmt::print("true pose: x {:.3f} m, y {:.3f} m, {} deg in the world\n",
-               report.true_pose->x_mm / 1000.0, report.true_pose->y_mm / 1000.0,
-               report.true_pose->heading_deg);
+    say(stdout, fmt::format("true pose: x {:.3f} m, y {:.3f} m, {} deg in the world\n",
+                            report.true_pose->x_mm / 1000.0, report.true_pose->y_mm / 1000.0,
+                            report.true_pose->heading_deg));
   }
   print_counters(report.counters);
   return Interrupt::requested() ? 130 : 0;

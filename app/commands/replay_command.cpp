@@ -123,7 +123,7 @@ void print_as_json(const agent::ReplayMission& mission, const Comparison& result
 
 int run(const ReplayCommandOptions& options) {
   make_folder(options.pictures);
-  const Interrupt interrupt;
+  const Interrupt interrupt(Interrupt::BrokenOutput::ends);
   agent::ReplayMission mission(options.replay);
   Comparison result;
   while (!Interrupt::requested() && mission.step()) {

@@ -11,6 +11,7 @@
 #include "striate/app/commands/run_mission.hpp"
 #include "striate/app/plugin_option.hpp"
 #include "striate/base/files.hpp"
+#include "striate/base/say.hpp"
 #include "striate/base/user_error.hpp"
 #ifdef STRIATE_HAS_ROS
 #include "striate/agent/ros/ros_bodies.hpp"
@@ -45,8 +46,7 @@ int run_and_tell(RosOptions& options, const agent::BodySource& body, ros::Tells 
       mission.set_pilot(agent::cmd_vel_pilot(mission.settings().ros, tilt_rad));
     }
     if (options.run.quiet || options.run.json) return;
-    fmt::print("on ROS; Ctrl-C ends it\n");
-    std::fflush(stdout);
+    say(stdout, "on ROS; Ctrl-C ends it\n");
   };
   options.run.each_cycle = [&](const agent::Mission& mission) { ros->tell(mission); };
   return run_mission(options.run, body);

@@ -2,7 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <cstdio>
+#include <utility>
 
 #include "striate/agent/given_variables.hpp"
 #include "striate/agent/landmark_knowledge.hpp"
@@ -14,8 +15,10 @@
 #include "striate/app/commands/run_report.hpp"
 #include "striate/app/interrupt.hpp"
 #include "striate/app/operator_reset.hpp"
+#include "striate/app/reports.hpp"
 #include "striate/app/status_line.hpp"
 #include "striate/base/files.hpp"
+#include "striate/base/say.hpp"
 
 namespace striate::app {
 namespace {
@@ -35,6 +38,15 @@ std::string session_title(const agent::Mission& mission, const agent::MissionOpt
                      mission.simulated()->options().seed);
 }
 
+/// What may fail without the mission noticing, as it is called in the message.
+constexpr const char* kRecording = "the recording";
+constexpr const char* kInspection = "the view of short-term memory";
+constexpr const char* kPictures = "the pictures";
+constexpr const char* kMemory = "the long-term memory";
+constexpr const char* kOnlooker = "the onlooker";
+constexpr const char* kStatus = "the status line";
+constexpr const char* kResult = "the result";
+
 /// All who watch a mission from outside.
 class Watchers {
  public:
@@ -50,40 +62,64 @@ class Watchers {
   }
 
   /// After each cycle, before anything ends the task from outside.
-  void take() {
-    recorder_.take(mission_);
-    live_.take(mission_.cycle(), mission_.executive(), mission_.cycles());
-    pictures_.take(mission_);
-    if (const std::string said = speech_.news(mission_); !said.empty()) status_.tell(said);
-    memory_.take(mission_.cycle());
-    if (mission_.judge() != nullptr) memory_.take(*mission_.judge());
-    if (options_.each_cycle) options_.each_cycle(mission_);
+  void take() noexcept {
+    reports_.attempt(kRecording, [this] { recorder_.take(mission_); });
+    reports_.attempt(kInspection, [this] {
+      live_.take(mission_.cycle(), mission_.executive(), mission_.cycles());
+    });
+    reports_.attempt(kPictures, [this] { pictures_.take(mission_); });
+    reports_.attempt(kMemory, [this] {
+      memory_.take(mission_.cycle());
+      if (mission_.judge() != nullptr) memory_.take(*mission_.judge());
+    });
+    reports_.attempt(kOnlooker, [this] {
+      if (options_.each_cycle) options_.each_cycle(mission_);
+    });
     let_go_on();
-    if (status_.due()) status_.show(status_text(mission_));
+    reports_.attempt(kStatus, [this] {
+      if (const std::string said = speech_.news(mission_); !said.empty()) status_.tell(said);
+      if (status_.due()) status_.show(status_text(mission_));
+    });
   }
 
-  /// A robot that holds until it is reset waits for a person, who is told once.
-  void let_go_on() {
+  /// A robot that holds until it is reset waits for a person, who is told once. Not a report: it
+  /// works where nothing can be written any more.
+  void let_go_on() noexcept {
     const bool asked = reset_.asked();
     const bool waits = mission_.waits_for_reset();
     if (waits && !told_to_wait_) {
-      status_.tell(fmt::format("the robot stands until you let it go on ({}): {}", mission_.hold(),
-                               OperatorReset::hint()));
+      reports_.attempt(kStatus, [this] {
+        status_.tell(fmt::format("the robot stands until you let it go on ({}): {}",
+                                 mission_.hold(), OperatorReset::hint()));
+      });
     }
     told_to_wait_ = waits;
     if (!waits || !asked) return;
     mission_.reset_body();
-    status_.tell("the robot goes on");
+    reports_.attempt(kStatus, [this] { status_.tell("the robot goes on"); });
   }
 
-  /// @return what was recorded, for the summary; "" without a recording
-  std::string finish(const agent::RunResult& result) {
+  /// The mission is over. @return what was recorded, for the summary; "" without a recording
+  std::string finish(const agent::RunResult& result) noexcept {
     status_.clear();
-    const std::string recorded = recorder_.finish();
-    live_.finish();
-    memory_.finish(mission_.cycle(), result);
-    pictures_.finish(mission_, result);
-    return recorded;
+    agent::RecordingEnd recorded;
+    reports_.finish(kRecording, [&] {
+      recorded = recorder_.finish();
+      if (recorded.failed) return reports_.note(kRecording, recorded.lost.c_str());
+      if (!recorded.lost.empty()) say(stderr, recorded.lost + "\n");
+    });
+    reports_.finish(kInspection, [&] { reports_.note(kInspection, live_.finish().c_str()); });
+    reports_.finish(
+        kMemory, [&] { reports_.note(kMemory, memory_.finish(mission_.cycle(), result).c_str()); });
+    reports_.finish(kPictures, [&] { pictures_.finish(mission_, result); });
+    return std::move(recorded.kept);
+  }
+
+  [[nodiscard]] Reports& reports() { return reports_; }
+  /// What could not be written, said once. @return whether nothing was lost
+  [[nodiscard]] bool tell_losses() {
+    const bool told = say(stderr, reports_.text());
+    return told && !reports_.any_failed() && !status_.failed();
   }
 
  private:
@@ -97,7 +133,25 @@ class Watchers {
   Speech speech_;
   OperatorReset reset_;
   bool told_to_wait_ = false;
+  Reports reports_;
 };
+
+/// Ctrl-C ends the mission safely; twice, without its `finally`.
+bool asked_to_end(agent::Mission& mission) {
+  if (Interrupt::insisted()) mission.abandon();
+  return Interrupt::requested();
+}
+
+std::string report_text(const RunOptions& options, const agent::RunResult& result,
+                        const std::string& json, const std::string& recorded) {
+  if (options.json) return json;
+  if (options.quiet) return {};
+  std::string text = summary_text(result);
+  if (!options.result.empty()) text += fmt::format("  record            {}\n", options.result);
+  if (!options.pictures.empty()) text += fmt::format("  images          {}\n", options.pictures);
+  if (!recorded.empty()) text += fmt::format("  recording         {}\n", recorded);
+  return text;
+}
 
 }  // namespace
 
@@ -116,25 +170,24 @@ int run_mission(const RunOptions& options, const agent::BodySource& body) {
   agent::MissionRecorder recorder(options.record,
                                   options.memory);  // copies the memory as it is now
   agent::Mission mission(asked, body);
-  if (!options.quiet) fmt::print(stderr, "{}", mission.notices());
+  if (!options.quiet) say(stderr, mission.notices());
   Watchers watchers(options, mission, recorder);
   if (options.at_begin) options.at_begin(mission);
   const agent::RunResult result = mission.run([&](const agent::Mission&) {
     watchers.take();
-    return Interrupt::requested();
+    return asked_to_end(mission);
+  });
+  // First what others wait for: all the rest may take its time, or fail.
+  std::string json;
+  watchers.reports().finish(kResult, [&] {
+    json = agent::to_json(result).dump(2) + "\n";
+    if (!options.result.empty()) write_file(options.result, json);
   });
   const std::string recorded = watchers.finish(result);
-  const std::string json = agent::to_json(result).dump(2) + "\n";
-  if (!options.result.empty()) write_file(options.result, json);
-  if (options.json) {
-    fmt::print("{}", json);
-  } else if (!options.quiet) {
-    print_summary(result);
-    if (!options.result.empty()) fmt::print("  record            {}\n", options.result);
-    if (!options.pictures.empty()) fmt::print("  images          {}\n", options.pictures);
-    if (!recorded.empty()) fmt::print("  recording         {}\n", recorded);
-  }
-  return agent::row_of(result.outcome).exit_code;
+  say(stdout, report_text(options, result, json, recorded));  // main() tells whether it was taken
+  const bool all_kept = watchers.tell_losses();
+  const int exit_code = agent::row_of(result.outcome).exit_code;
+  return exit_code == 0 && !all_kept ? 1 : exit_code;
 }
 
 }  // namespace striate::app

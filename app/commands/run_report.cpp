@@ -7,12 +7,14 @@
 namespace striate::app {
 namespace {
 
-void print_collisions(const agent::RunResult& result) {
-  fmt::print("  collisions        {}\n", result.collisions.size());
+std::string collisions_text(const agent::RunResult& result) {
+  std::string text = fmt::format("  collisions        {}\n", result.collisions.size());
   for (const agent::CollisionRecord& hit : result.collisions) {
-    fmt::print("    {:.1f} s: {} ({}) at {:.1f} m, {:+.2f} m, light {:.2f}\n", hit.time_s, hit.hit,
-               hit.moving ? "moving" : "still", hit.along_m, hit.left_m, hit.light_level);
+    text += fmt::format("    {:.1f} s: {} ({}) at {:.1f} m, {:+.2f} m, light {:.2f}\n", hit.time_s,
+                        hit.hit, hit.moving ? "moving" : "still", hit.along_m, hit.left_m,
+                        hit.light_level);
   }
+  return text;
 }
 
 }  // namespace
@@ -45,25 +47,30 @@ std::string Speech::news(const agent::Mission& mission) {
   return said_;
 }
 
-void print_summary(const agent::RunResult& result) {
+std::string summary_text(const agent::RunResult& result) {
   const std::string where = result.judged ? fmt::format("in {}, seed {}", result.world, result.seed)
                                           : "with the robot at " + result.world;
-  fmt::print("{} {}: {}\n", result.task, where, agent::outcome_text(result));
-  if (result.judged) fmt::print("  goal reached      {}\n", result.reached_goal ? "yes" : "no");
-  fmt::print("  driven            {:.1f} m in {:.0f} s ({:.2f} m/s){}\n", result.distance_m,
-             result.duration_s, result.distance_m / std::max(result.duration_s, 0.1),
-             result.judged ? "" : ", by odometry");
-  if (result.judged) fmt::print("  nearest pass      {:.2f} m\n", result.nearest_pass_m);
-  fmt::print("  emergency stops   {}{}\n", result.emergency_stops,
-             result.emergency_layer ? "" : " (sonar and laser are off)");
+  std::string text = fmt::format("{} {}: {}\n", result.task, where, agent::outcome_text(result));
+  if (result.judged)
+    text += fmt::format("  goal reached      {}\n", result.reached_goal ? "yes" : "no");
+  text +=
+      fmt::format("  driven            {:.1f} m in {:.0f} s ({:.2f} m/s){}\n", result.distance_m,
+                  result.duration_s, result.distance_m / std::max(result.duration_s, 0.1),
+                  result.judged ? "" : ", by odometry");
+  if (result.judged) text += fmt::format("  nearest pass      {:.2f} m\n", result.nearest_pass_m);
+  text += fmt::format("  emergency stops   {}{}\n", result.emergency_stops,
+                      result.emergency_layer ? "" : " (sonar and laser are off)");
   if (result.from_start_m) {
-    fmt::print("  ends              {:.2f} m from the start\n", *result.from_start_m);
+    text += fmt::format("  ends              {:.2f} m from the start\n", *result.from_start_m);
   }
-  fmt::print("  longest stand     {:.0f} s{}\n", result.longest_stand_s, agent::stood_for(result));
-  if (result.judged) print_collisions(result);
-  fmt::print("  thinking          {:.1f} ms a cycle{}\n", result.mean_cycle_ms,
-             result.judged ? fmt::format(", {:.1f} times real time in all", result.realtime_factor)
-                           : std::string());
+  text += fmt::format("  longest stand     {:.0f} s{}\n", result.longest_stand_s,
+                      agent::stood_for(result));
+  if (result.judged) text += collisions_text(result);
+  text += fmt::format("  thinking          {:.1f} ms a cycle{}\n", result.mean_cycle_ms,
+                      result.judged
+                          ? fmt::format(", {:.1f} times real time in all", result.realtime_factor)
+                          : std::string());
+  return text;
 }
 
 }  // namespace striate::app

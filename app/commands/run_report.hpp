@@ -20,7 +20,7 @@ class Speech {
   std::string said_;
 };
 
-/// On standard output; without what only a judge knows where there was none.
-void print_summary(const agent::RunResult& result);
+/// For standard output; without what only a judge knows where there was none.
+[[nodiscard]] std::string summary_text(const agent::RunResult& result);
 
 }  // namespace striate::app

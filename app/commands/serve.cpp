@@ -6,6 +6,7 @@
 
 #include "striate/agent/robot_settings.hpp"
 #include "striate/app/interrupt.hpp"
+#include "striate/base/say.hpp"
 #include "striate/base/user_error.hpp"
 #include "striate/platform/served/robot_server.hpp"
 #include "striate/platform/simulator/render/renderer_images.hpp"
@@ -104,13 +105,13 @@ int serve(const ServeOptions& options) {
   simulator::RendererImages pictures(world, robot.plan(), settings.camera, options.seed);
   const Interrupt interrupt;
   served::RobotServer server(robot, &pictures, serving, [&robot](const std::string& line) {
-    fmt::print("{:8.2f} s  {}\n", to_seconds(robot.now()), line);
-    std::fflush(stdout);
+    say_without_waiting(stdout, fmt::format("{:8.2f} s  {}\n", to_seconds(robot.now()), line));
   });
   const served::ServedUrls& urls = server.urls();
-  fmt::print("a {} in {}; Ctrl-C ends it\n  base    {}\n  turret  {}\n  laser   {}\n  camera  {}\n",
-             options.kind, world.name, urls.base, urls.turret, urls.laser, urls.camera);
-  std::fflush(stdout);
+  say(stdout,
+      fmt::format(
+          "a {} in {}; Ctrl-C ends it\n  base    {}\n  turret  {}\n  laser   {}\n  camera  {}\n",
+          options.kind, world.name, urls.base, urls.turret, urls.laser, urls.camera));
   server.run([] { return !Interrupt::requested(); });
   return 0;
 }

@@ -130,7 +130,7 @@ agent::LiveViews views_of_a_run(const TeachOptions& given) {
   agent::MissionOptions mission;
   mission.task = options.task;
   mission.robot = options.robot;
-  const Interrupt interrupt;
+  const Interrupt interrupt(Interrupt::BrokenOutput::ends);
   return agent::take_views(mission, agent::simulated_pioneer(options.live),
                            [](const agent::Mission&) { return Interrupt::requested(); });
 }

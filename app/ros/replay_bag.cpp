@@ -94,7 +94,7 @@ int replay_bag(const ReplayBagOptions& options) {
                                                          agent::simulated_robot(settings)),
                 .place = options.bag};
       }};
-  const Interrupt interrupt;
+  const Interrupt interrupt(Interrupt::BrokenOutput::ends);
   agent::Mission mission(asked, bag);
   Notes notes(options);
   const agent::RunResult result = mission.run([&](const agent::Mission& running) {

@@ -14,6 +14,7 @@
 #include "striate/app/interrupt.hpp"
 #include "striate/app/trial/object_places.hpp"
 #include "striate/base/files.hpp"
+#include "striate/base/say.hpp"
 #include "striate/base/user_error.hpp"
 #include "striate/evaluation/report.hpp"
 #include "striate/platform/simulator/world_reader.hpp"
@@ -55,7 +56,7 @@ void check_given(const ObjectTrialOptions& options, const simulator::World& worl
 }
 
 void tell(const ObjectTrialOptions& options, const std::string& text) {
-  if (!options.quiet) fmt::print(stderr, "{}\n", text);
+  if (!options.quiet) say(stderr, text + "\n");
 }
 
 void teach_one(const ObjectTrialOptions& options, const simulator::WorldObject& object,
@@ -163,7 +164,7 @@ int run_object_trial(const ObjectTrialOptions& options) {
   std::filesystem::create_directories(options.out);
   const std::string memory = options.out + "/objects.db";
   for (const char* ending : {"", "-wal", "-shm"}) std::filesystem::remove(memory + ending);
-  const Interrupt interrupt;
+  const Interrupt interrupt(Interrupt::BrokenOutput::ends);
   ObjectTallies outcomes;
   for (const simulator::WorldObject& object : world.objects) {
     if (Interrupt::requested()) return 130;

@@ -16,6 +16,7 @@
 #include "striate/app/trial/process_pool.hpp"
 #include "striate/app/trial/trial_table.hpp"
 #include "striate/base/files.hpp"
+#include "striate/base/say.hpp"
 #include "striate/base/user_error.hpp"
 #include "striate/platform/simulator/world.hpp"
 #include "striate/tasks/task_reader.hpp"
@@ -129,8 +130,8 @@ class Trial {
     if (!results_[index] && !Interrupt::requested()) {
       ++failures_;
       status_.clear();
-      fmt::print(stderr, "{} seed {} gave no result (exit code {}):\n{}\n", runs_[index].world,
-                 runs_[index].seed, end.exit_code, end.output);
+      say(stderr, fmt::format("{} seed {} gave no result (exit code {}):\n{}\n", runs_[index].world,
+                              runs_[index].seed, end.exit_code, end.output));
     }
     write();
     show();
@@ -175,7 +176,7 @@ class Trial {
 int run_trial(const TrialOptions& options) {
   check_options(options);
   check_files(options);
-  const Interrupt interrupt;
+  const Interrupt interrupt(Interrupt::BrokenOutput::ends);
   return Trial(options).run();
 }
 

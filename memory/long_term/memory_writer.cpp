@@ -92,7 +92,6 @@ void MemoryWriter::work() {
 
 void MemoryWriter::commit_posted(std::vector<Job>& jobs) {
   if (jobs.empty()) return;
-  std::string why;
   try {
     try {
       set_synchronous(false);
@@ -104,11 +103,20 @@ void MemoryWriter::commit_posted(std::vector<Job>& jobs) {
       throw_memory_error(file_.path(), "keeping what happened", error);
     }
   } catch (const std::exception& error) {
-    why = error.what();
+    note_loss(jobs.size(), error.what());
+  } catch (...) {
+    note_loss(jobs.size(), "an unknown error");
   }
+}
+
+/// In the writer's thread, which nothing may end before its program.
+void MemoryWriter::note_loss(std::size_t jobs, const char* why) noexcept {
   const std::lock_guard lock(mutex_);
-  lost_ += jobs.size();
-  why_lost_ = why;
+  lost_ += jobs;
+  try {
+    why_lost_ = why;
+  } catch (...) {  // no memory for the words, either
+  }
 }
 
 void MemoryWriter::commit_taught(const Job& job) {

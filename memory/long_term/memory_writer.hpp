@@ -47,6 +47,7 @@ class MemoryWriter {
 
   void work();
   void commit_posted(std::vector<Job>& jobs);
+  void note_loss(std::size_t jobs, const char* why) noexcept;
   void commit_taught(const Job& job);
   void set_synchronous(bool full);
 

@@ -38,9 +38,12 @@ void CameraFeed::run() {
       next_.reset();
       busy_ = true;
     }
-    StereoFrame frame = pictures_.image(exposure.scene);
-    frame.stamp = TimePoint(from_seconds(exposure.scene.time_s));
-    ready_(pioneer::image_stream::encode(frame, exposure.number), exposure.at);
+    try {
+      StereoFrame frame = pictures_.image(exposure.scene);
+      frame.stamp = TimePoint(from_seconds(exposure.scene.time_s));
+      ready_(pioneer::image_stream::encode(frame, exposure.number), exposure.at);
+    } catch (...) {  // a camera that misses an image; nothing may end the thread, and the program
+    }
   }
 }
 

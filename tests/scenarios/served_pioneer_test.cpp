@@ -1,13 +1,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <atomic>
 #include <cmath>
+#include <filesystem>
 #include <set>
 #include <thread>
 
 #include "striate/platform/pioneer/pioneer_robot.hpp"
-#include "striate/platform/served/robot_server.hpp"
+#include "tests/scenarios/served_hall.hpp"
 #include "tests/scenarios/striate_process.hpp"
 
 /// The simulated Pioneer behind a real line, driven by our own driver and by the command.
@@ -17,45 +17,6 @@ namespace {
 using namespace std::chrono_literals;
 using pioneer::arcos::Command;
 using pioneer::arcos::command;
-
-simulator::World hall() {
-  simulator::World world;
-  world.length_m = 30.0;
-  world.goal_beyond_m = 29.0;
-  return world;
-}
-
-/// A server in a thread of its own at any free port.
-class Served {
- public:
-  explicit Served(served::ServeSettings settings = {})
-      : robot_(hall(), 1, {}, {}),
-        server_(robot_, nullptr, on_any_port(std::move(settings)), [](const std::string&) {}),
-        thread_([this] { server_.run([this] { return !ends_; }); }) {}
-  ~Served() {
-    ends_ = true;
-    thread_.join();
-  }
-  [[nodiscard]] const std::string& url() const { return server_.urls().base; }
-  [[nodiscard]] served::ServedState state() const { return server_.state(); }
-
-  /// Seconds of the robot's time until it holds.
-  double until(const std::function<bool(const served::ServedState&)>& holds, double limit_s) const {
-    const double begin_s = state().time_s;
-    while (!holds(state()) && state().time_s - begin_s < limit_s) std::this_thread::sleep_for(2ms);
-    return state().time_s - begin_s;
-  }
-
- private:
-  static served::ServeSettings on_any_port(served::ServeSettings settings) {
-    settings.port = 0;
-    return settings;
-  }
-  served::ServedPioneer robot_;
-  served::RobotServer server_;
-  std::atomic<bool> ends_{false};
-  std::thread thread_;
-};
 
 /// Drives so far and stands; the way by odometry and in truth.
 struct Paths {
@@ -131,7 +92,20 @@ TEST(ServedPioneer, StandsHalfASecondAfterTheLastCommand) {
   EXPECT_LT(took_s, 0.8) << "500 ms, and what a loaded machine adds";
 }
 
-TEST(ServedPioneer, AKilledClientIsStoppedByTheWatchdog) {
+/// The process that holds the line of another; -1: there is none.
+pid_t keeper_of(pid_t mind) {
+  for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
+    const std::string status = read_text(entry.path() / "status");
+    const bool keeper = status.find("Name:\tline-keeper\n") != std::string::npos;
+    if (keeper && status.find("PPid:\t" + std::to_string(mind) + "\n") != std::string::npos) {
+      return std::stoi(entry.path().filename());
+    }
+  }
+  return -1;
+}
+
+/// The robot's own watchdog is what is left when the keeper of its line is killed, too.
+TEST(ServedPioneer, AClientThatIsKilledWithItsKeeperIsStoppedByTheWatchdog) {
   const Served served;
   const pid_t child = fork();
   if (child == 0) {
@@ -141,6 +115,9 @@ TEST(ServedPioneer, AKilledClientIsStoppedByTheWatchdog) {
     _exit(98);
   }
   EXPECT_LT(served.until([](auto& s) { return s.true_forward_m_s > 0.29; }, 10.0), 10.0);
+  const pid_t keeper = keeper_of(child);
+  ASSERT_GT(keeper, 0);
+  kill(keeper, SIGKILL);
   kill(child, SIGKILL);
   const double took_s = served.until([](auto& s) { return s.commanded_to_stand; }, 5.0);
   waitpid(child, nullptr, 0);
@@ -153,6 +130,18 @@ TEST(ServedPioneer, AKilledClientIsStoppedByTheWatchdog) {
   pioneer::PioneerRobot next({}, served.url());
   std::this_thread::sleep_for(500ms);
   EXPECT_NEAR(served.state().true_pose.x_m, stood.x_m, 1e-3);
+}
+
+TEST(ServedPioneer, AMindWhoseKeeperDiesIsToldAtOnce) {
+  const Served served;
+  pioneer::PioneerRobot robot({}, served.url());
+  kill(keeper_of(getpid()), SIGKILL);
+  Senses senses;
+  EXPECT_THROW(
+      {
+        for (int i = 0; i < 10; ++i) robot.sense(senses);
+      },
+      std::runtime_error);
 }
 
 TEST(ServedPioneer, ALinkThatBreaksNeedsAReset) {

@@ -75,6 +75,54 @@ TEST_F(ThroughRos, AMissionDrivesByVisionAndTheRobotStandsWhenItIsKilled) {
   EXPECT_THAT(text_of(log("mission")), testing::HasSubstr("the robot is lost"));
 }
 
+/// Hears whether `cmd_vel` says zero.
+class Ear {
+ public:
+  Ear() {
+    node_.setCallbackQueue(&queue_);
+    const boost::function<void(const geometry_msgs::TwistConstPtr&)> take = [this](const auto& to) {
+      zero_ = to->linear.x == 0.0 && to->angular.z == 0.0;
+    };
+    subscriber_ = node_.subscribe<geometry_msgs::Twist>("cmd_vel", 1, take);
+  }
+  /// Seconds until the next zero that comes.
+  double until_zero_s(double limit_s) {
+    queue_.clear();
+    zero_ = false;
+    const auto begin = Steady::now();
+    const auto since_s = [&] {
+      return std::chrono::duration<double>(Steady::now() - begin).count();
+    };
+    while (!zero_ && since_s() < limit_s) queue_.callAvailable(::ros::WallDuration(0.01));
+    return since_s();
+  }
+
+ private:
+  ::ros::CallbackQueue queue_;
+  ::ros::NodeHandle node_;
+  ::ros::Subscriber subscriber_;
+  bool zero_ = false;
+};
+
+TEST_F(ThroughRos, OfAMissionThatDiesOrHangsAnotherNodeSaysZeroOnCmdVel) {
+  const auto server = serve("config/worlds/short.yaml");
+  ros::RosRobot onlooker(settings(), {}, 30s);
+  Senses senses;
+  Ear ear;
+  for (const int signal : {SIGKILL, SIGSEGV, SIGSTOP}) {
+    auto program = mission("20 m");
+    until(onlooker, senses, 30.0, [&] { return senses.odometry.forward_m_s > 0.1; });
+    ASSERT_GT(senses.odometry.forward_m_s, 0.1) << text_of(log("mission"));
+    program->kill(signal);
+    const double zero_s = ear.until_zero_s(3.0);
+    RecordProperty("seconds_to_zero_" + std::to_string(signal), std::to_string(zero_s));
+    EXPECT_LT(zero_s, 0.45) << signal;
+    until(onlooker, senses, 5.0, [&] { return stands(senses); });
+    EXPECT_TRUE(stands(senses));
+    program->kill(SIGKILL);
+  }
+}
+
 /// What an onlooker in ROS gets.
 struct Heard {
   stereo_msgs::DisparityImageConstPtr disparity;

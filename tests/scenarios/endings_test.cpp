@@ -1,0 +1,264 @@
+#include <fcntl.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <pty.h>
+#include <sys/resource.h>
+
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "striate/platform/pioneer/session_settings.hpp"
+#include "tests/scenarios/served_hall.hpp"
+#include "tests/scenarios/striate_process.hpp"
+
+/// What becomes of the robot, and of what was to be written, when the program ends otherwise than
+/// it was meant to. Looked at by the robot's true motion, at full speed.
+namespace striate::scenarios {
+namespace {
+
+using namespace std::chrono_literals;
+using served::ServedState;
+
+constexpr double kFull_m_s = 0.65;
+/// 0.3 s are promised; a loaded machine adds to what the test itself sees.
+constexpr double kStopWithin_s = 0.45;
+
+[[noreturn]] void become_drive(const std::string& url) {
+  const rlimit no_core{0, 0};
+  setrlimit(RLIMIT_CORE, &no_core);
+  execl(STRIATE_BINARY, STRIATE_BINARY, "drive", url.c_str(), "--forward-m-s", "0.65", "--for-s",
+        "60", nullptr);
+  _exit(98);
+}
+
+pid_t start_drive(const std::string& url) {
+  const pid_t child = fork();
+  if (child != 0) return child;
+  if (freopen("/dev/null", "w", stdout) == nullptr) _exit(99);
+  become_drive(url);
+}
+
+struct Stop {
+  double commanded_s = 0.0;
+  double stood_s = 0.0;
+  double way_m = 0.0;
+};
+
+/// What the robot does from now on, until it stands.
+Stop stop_of(const Served& served) {
+  const ServedState begin = served.state();
+  Stop stop;
+  stop.commanded_s = served.until([](auto& s) { return s.commanded_to_stand; }, 6.0);
+  served.until([](auto& s) { return s.true_forward_m_s == 0.0; }, 6.0);
+  const ServedState end = served.state();
+  stop.stood_s = end.time_s - begin.time_s;
+  stop.way_m =
+      std::hypot(end.true_pose.x_m - begin.true_pose.x_m, end.true_pose.y_m - begin.true_pose.y_m);
+  return stop;
+}
+
+void expect_a_short_stop(const Stop& stop) {
+  testing::Test::RecordProperty("commanded_s", std::to_string(stop.commanded_s));
+  testing::Test::RecordProperty("stood_s", std::to_string(stop.stood_s));
+  testing::Test::RecordProperty("way_m", std::to_string(stop.way_m));
+  const double braking_m =
+      kFull_m_s * kFull_m_s / (2.0 * pioneer::SessionSettings{}.acceleration_m_s2);
+  EXPECT_LT(stop.commanded_s, kStopWithin_s);
+  EXPECT_LT(stop.way_m, braking_m + 0.2);
+}
+
+void expect_a_closed_session(const Served& served) {
+  EXPECT_LT(served.until([](auto& s) { return !s.connected && !s.motors_on; }, 5.0), 5.0);
+  EXPECT_EQ(served.state().true_forward_m_s, 0.0);
+}
+
+void reach_full_speed(const Served& served) {
+  ASSERT_LT(served.until([](auto& s) { return s.true_forward_m_s > kFull_m_s - 0.005; }, 20.0),
+            20.0);
+}
+
+struct Ending {
+  const char* name;
+  int signal;
+  int exit_code;  ///< -1: it dies of it
+  bool pty = false;
+};
+
+class SignalEnds : public testing::TestWithParam<Ending> {};
+
+TEST_P(SignalEnds, AndTheRobotStandsAndItsSessionIsClosed) {
+  const Served served({.pty = GetParam().pty});
+  const pid_t child = start_drive(served.url());
+  reach_full_speed(served);
+  kill(child, GetParam().signal);
+  expect_a_short_stop(stop_of(served));
+  expect_a_closed_session(served);
+  if (GetParam().signal == SIGSTOP || GetParam().signal == SIGTSTP) kill(child, SIGKILL);
+  int status = 0;
+  waitpid(child, &status, 0);
+  EXPECT_EQ(WIFEXITED(status) ? WEXITSTATUS(status) : -1, GetParam().exit_code);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, SignalEnds,
+    testing::Values(Ending{"Int", SIGINT, 130}, Ending{"Term", SIGTERM, 130},
+                    Ending{"Hup", SIGHUP, 130}, Ending{"Pipe", SIGPIPE, 130},
+                    Ending{"Quit", SIGQUIT, 130}, Ending{"Xfsz", SIGXFSZ, 130},
+                    Ending{"Usr1", SIGUSR1, 130}, Ending{"Alrm", SIGALRM, 130},
+                    Ending{"Xcpu", SIGXCPU, 130}, Ending{"Segv", SIGSEGV, -1},
+                    Ending{"Abrt", SIGABRT, -1}, Ending{"Bus", SIGBUS, -1},
+                    Ending{"Fpe", SIGFPE, -1}, Ending{"Ill", SIGILL, -1}, Ending{"Sys", SIGSYS, -1},
+                    Ending{"Kill", SIGKILL, -1}, Ending{"Stop", SIGSTOP, -1},
+                    Ending{"Tstp", SIGTSTP, -1}, Ending{"IntPty", SIGINT, 130, true},
+                    Ending{"HupPty", SIGHUP, 130, true}, Ending{"SegvPty", SIGSEGV, -1, true},
+                    Ending{"KillPty", SIGKILL, -1, true}, Ending{"StopPty", SIGSTOP, -1, true}),
+    [](const auto& ending) { return std::string(ending.param.name); });
+
+TEST(Endings, ASecondCtrlCStillClosesAndAThirdKillsButTheRobotBrakes) {
+  for (const int times : {2, 3}) {
+    const Served served;
+    const pid_t child = start_drive(served.url());
+    reach_full_speed(served);
+    for (int i = 0; i < times; ++i) {
+      if (i > 0) std::this_thread::sleep_for(250ms);
+      kill(child, SIGINT);
+    }
+    served.until([](auto& s) { return s.true_forward_m_s == 0.0; }, 6.0);
+    expect_a_closed_session(served);
+    int status = 0;
+    waitpid(child, &status, 0);
+    EXPECT_EQ(WIFEXITED(status) ? WEXITSTATUS(status) : -1, times == 2 ? 130 : -1);
+  }
+}
+
+TEST(Endings, TheDeathOfTheTerminalStopsTheRobot) {
+  const Served served;
+  int terminal = -1;
+  const pid_t child = forkpty(&terminal, nullptr, nullptr, nullptr);
+  if (child == 0) become_drive(served.url());
+  std::atomic<bool> reads{true};
+  std::thread reader([&] {
+    std::array<char, 1024> chunk{};
+    while (reads && read(terminal, chunk.data(), chunk.size()) > 0) {
+    }
+  });
+  reach_full_speed(served);
+  reads = false;
+  reader.join();
+  close(terminal);
+  expect_a_short_stop(stop_of(served));
+  expect_a_closed_session(served);
+  int status = 0;
+  waitpid(child, &status, 0);
+  EXPECT_EQ(WIFEXITED(status) ? WEXITSTATUS(status) : -1, 130);
+}
+
+/// Somebody reads the first lines of the output and no more: that is no reason to stop.
+TEST(Endings, AnOutputThatNobodyReadsAnyMoreEndsNoDrive) {
+  for (const std::string where : {"| head -n 2 > /dev/null", "> /dev/full", ">&-"}) {
+    const Served served;
+    const Ended ended =
+        bash("\"$striate\" drive " + served.url() + " --forward-m-s 0.4 --way-m 1.5 " + where +
+             "; echo ${PIPESTATUS[0]} >&2");
+    EXPECT_GT(served.state().true_pose.x_m, 1.0) << where << ended.err;
+    EXPECT_THAT(ended.err, testing::HasSubstr("\n1\n")) << where;
+    EXPECT_LT(served.until([](auto& s) { return !s.connected; }, 3.0), 3.0);
+  }
+}
+
+/// Waits for its end, killing it if that does not come. @return exit code; -1: it did not end
+int exit_code_within(pid_t child, std::chrono::seconds patience) {
+  const auto end = std::chrono::steady_clock::now() + patience;
+  int status = 0;
+  while (waitpid(child, &status, WNOHANG) == 0) {
+    if (std::chrono::steady_clock::now() > end) {
+      kill(child, SIGKILL);
+      waitpid(child, &status, 0);
+      return -1;
+    }
+    std::this_thread::sleep_for(20ms);
+  }
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+/// A pipe that nobody empties must not hold up the loop: the robot would stand after its lease.
+TEST(Endings, AnOutputThatNobodyTakesHoldsUpNoDrive) {
+  const Served served;
+  std::array<int, 2> ends{};
+  ASSERT_EQ(pipe(ends.data()), 0);
+  ASSERT_EQ(fcntl(ends[1], F_SETPIPE_SZ, 4096), 4096) << "some five seconds of lines";
+  const pid_t child = fork();
+  if (child == 0) {
+    dup2(ends[1], STDOUT_FILENO);
+    execl(STRIATE_BINARY, STRIATE_BINARY, "drive", served.url().c_str(), "--forward-m-s", "0.65",
+          "--way-m", "7", nullptr);
+    _exit(98);
+  }
+  EXPECT_EQ(exit_code_within(child, 40s), 0);
+  EXPECT_GT(served.state().true_pose.x_m, 6.5);
+  for (const int end : ends) close(end);
+}
+
+/// Neither does a terminal whose output is held by Ctrl-S.
+TEST(Endings, AHeldTerminalHoldsUpNoDrive) {
+  const Served served;
+  int terminal = -1;
+  const pid_t child = forkpty(&terminal, nullptr, nullptr, nullptr);
+  if (child == 0) become_drive(served.url());
+  served.until([](auto& s) { return s.true_forward_m_s > 0.3; }, 20.0);
+  const char ctrl_s = 0x13;
+  EXPECT_EQ(write(terminal, &ctrl_s, 1), 1);
+  std::this_thread::sleep_for(3s);
+  EXPECT_GT(served.state().true_forward_m_s, kFull_m_s - 0.01);
+  kill(child, SIGINT);
+  const char ctrl_q = 0x11;
+  std::this_thread::sleep_for(1s);
+  EXPECT_EQ(write(terminal, &ctrl_q, 1), 1);
+  std::array<char, 1024> chunk{};
+  while (read(terminal, chunk.data(), chunk.size()) > 0) {
+  }
+  EXPECT_EQ(exit_code_within(child, 20s), 130);
+  close(terminal);
+}
+
+nlohmann::json result_after(const std::vector<std::pair<int, std::chrono::milliseconds>>& signals,
+                            int expected_exit_code) {
+  const TemporaryFolder folder;
+  const std::string file = folder / "r.json";
+  const pid_t child = fork();
+  if (child == 0) {
+    if (chdir(STRIATE_SOURCE_DIR) != 0) _exit(99);
+    execl(STRIATE_BINARY, STRIATE_BINARY, "run", "config/tasks/corridor.yaml", "--world",
+          "config/worlds/corridor_a.yaml", "--seed", "3", "--quiet", "--result", file.c_str(),
+          nullptr);
+    _exit(98);
+  }
+  for (const auto& [signal, after] : signals) {
+    std::this_thread::sleep_for(after);
+    kill(child, signal);
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  EXPECT_EQ(WIFEXITED(status) ? WEXITSTATUS(status) : -1, expected_exit_code);
+  return nlohmann::json::parse(read_text(file), nullptr, false);
+}
+
+TEST(Endings, AMissionThatIsEndedByASignalWritesItsResult) {
+  for (const int signal : {SIGHUP, SIGPIPE, SIGQUIT, SIGXFSZ, SIGUSR2, SIGTERM}) {
+    const auto result = result_after({{signal, 3000ms}}, 130);
+    ASSERT_TRUE(result.is_object()) << signal;
+    EXPECT_EQ(result.at("outcome"), "interrupted") << signal;
+  }
+}
+
+TEST(Endings, AMissionThatIsInterruptedTwiceWritesItsResult) {
+  const auto result = result_after({{SIGINT, 3000ms}, {SIGINT, 250ms}}, 130);
+  ASSERT_TRUE(result.is_object());
+  EXPECT_EQ(result.at("outcome"), "interrupted");
+}
+
+}  // namespace
+}  // namespace striate::scenarios
