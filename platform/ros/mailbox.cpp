@@ -15,6 +15,17 @@ bool is_compressed(const std::string& topic) {
          topic.compare(topic.size() - end.size(), end.size(), end) == 0;
 }
 
+/// A message that cannot be taken has not come: what it tells of gets old, and the robot stands.
+/// ROS's thread would end the program for an error that leaves it.
+template <class Take>
+void take_or_leave(Mailbox& box, const Take& take) noexcept {
+  try {
+    const std::lock_guard lock(box.mutex);
+    take(box.inbox);
+  } catch (...) {
+  }
+}
+
 class Subscribing {
  public:
   Subscribing(::ros::NodeHandle& node, Mailbox& mailbox) : node_(node), mailbox_(mailbox) {}
@@ -23,8 +34,7 @@ class Subscribing {
   void hear(const std::string& topic) {
     boost::function<void(const boost::shared_ptr<const Message>&)> take =
         [&box = mailbox_](const auto& message) {
-          const std::lock_guard lock(box.mutex);
-          box.inbox.take(*message, box.clock.now());
+          take_or_leave(box, [&](Inbox& inbox) { inbox.take(*message, box.clock.now()); });
         };
     subscribers_.push_back(
         node_.subscribe<Message>(topic, kOthersWaiting, take, nullptr, at_once()));
@@ -33,8 +43,7 @@ class Subscribing {
   void hear_images(Eye eye, const std::string& topic) {
     boost::function<void(const boost::shared_ptr<const Message>&)> take =
         [&box = mailbox_, eye](const auto& message) {
-          const std::lock_guard lock(box.mutex);
-          box.inbox.take(eye, *message, box.clock.now());
+          take_or_leave(box, [&](Inbox& inbox) { inbox.take(eye, *message, box.clock.now()); });
         };
     subscribers_.push_back(
         node_.subscribe<Message>(topic, kImagesWaiting, take, nullptr, at_once()));
@@ -47,8 +56,7 @@ class Subscribing {
     }
     boost::function<void(const sensor_msgs::CameraInfoConstPtr&)> take =
         [&box = mailbox_, eye](const auto& message) {
-          const std::lock_guard lock(box.mutex);
-          box.inbox.take(eye, *message);
+          take_or_leave(box, [&](Inbox& inbox) { inbox.take(eye, *message); });
         };
     subscribers_.push_back(node_.subscribe<sensor_msgs::CameraInfo>(info, kImagesWaiting, take));
   }

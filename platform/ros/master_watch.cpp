@@ -89,6 +89,15 @@ bool answers(const Address& address) {
          std::string(answer).rfind("HTTP/1.", 0) == 0;
 }
 
+/// Whatever goes wrong in asking is no answer; nothing may end the thread, and the program.
+bool hears(const Address& address) noexcept {
+  try {
+    return answers(address);
+  } catch (...) {
+    return false;
+  }
+}
+
 }  // namespace
 
 struct MasterWatch::Parts {
@@ -97,7 +106,7 @@ struct MasterWatch::Parts {
     std::unique_lock lock(mutex);
     while (!ends) {
       lock.unlock();
-      if (answers(address)) heard = clock.now();
+      if (hears(address)) heard = clock.now();
       lock.lock();
       wake.wait_for(lock, kAskEvery, [this] { return ends; });
     }

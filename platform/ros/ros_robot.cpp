@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "striate/base/pioneer_devices.hpp"
+#include "striate/platform/ros/cmd_vel_keeper.hpp"
 #include "striate/platform/ros/command_lease.hpp"
 #include "striate/platform/ros/gap_watch.hpp"
 #include "striate/platform/ros/hold_reason.hpp"
@@ -33,8 +34,15 @@ constexpr auto kGoodBye = std::chrono::milliseconds(100);
 }  // namespace
 
 struct RosRobot::Parts {
-  Parts(const RosSettings& given, const RobotDescription& description);
+  Parts(const RosSettings& given, const RobotDescription& description, CmdVelKeeper& keeper);
   void publish();
+  /// In ROS's thread, which an error must not end.
+  void publish_if_it_goes() noexcept {
+    try {
+      publish();
+    } catch (...) {  // nothing goes out: the robot's own deadline on cmd_vel stops it
+    }
+  }
   [[nodiscard]] std::string hold_reason(TimePoint now) const;
   [[nodiscard]] std::string missing() const;
 
@@ -48,6 +56,7 @@ struct RosRobot::Parts {
   std::optional<TimePoint> seen_at;  ///< the newest image that was handed out
   bool drives = false;  ///< something was sent: from now on silence would not be a stop
   MasterWatch master;
+  CmdVelKeeper& keeper;
 
   ::ros::CallbackQueue queue;
   ::ros::NodeHandle node;
@@ -59,19 +68,20 @@ struct RosRobot::Parts {
   std::unique_ptr<::ros::AsyncSpinner> spinner;
 };
 
-RosRobot::Parts::Parts(const RosSettings& given, const RobotDescription& body)
+RosRobot::Parts::Parts(const RosSettings& given, const RobotDescription& body, CmdVelKeeper& keeps)
     : settings(given),
       description(body),
       mail(given),
       lease(from_seconds(given.lease_s)),
-      gaps(from_seconds(given.longest_gap_s), from_seconds(given.command_gap_s)) {
+      gaps(from_seconds(given.longest_gap_s), from_seconds(given.command_gap_s)),
+      keeper(keeps) {
   node.setCallbackQueue(&queue);
   subscribers = subscribe(node, settings, mail);
   cmd_vel = node.advertise<geometry_msgs::Twist>(settings.cmd_vel, 1);
   pan = node.advertise<std_msgs::Float64>(settings.pan_command, 1);
   tilt = node.advertise<std_msgs::Float64>(settings.tilt_command, 1);
   timer = node.createSteadyTimer(::ros::WallDuration(kPublishEvery_s),
-                                 [this](const ::ros::SteadyTimerEvent&) { publish(); });
+                                 [this](const ::ros::SteadyTimerEvent&) { publish_if_it_goes(); });
   spinner = std::make_unique<::ros::AsyncSpinner>(1, &queue);
   spinner->start();
 }
@@ -102,6 +112,7 @@ void RosRobot::Parts::publish() {
   echo.felt(mail.inbox.senses().odometry);
   echo.commanded(sent, now);
   cmd_vel.publish(twist_of(sent));
+  keeper.hear(sent.forward_m_s != 0.0 || sent.turn_rad_s != 0.0);
   if (!command) return;
   std_msgs::Float64 angle;
   angle.data = command->pan_rad;
@@ -125,9 +136,10 @@ std::string RosRobot::Parts::missing() const {
 }
 
 RosRobot::RosRobot(const RosSettings& settings, const RobotDescription& description,
-                   Duration patience) {
+                   Duration patience)
+    : keeper_(std::make_unique<CmdVelKeeper>(settings.cmd_vel)) {
   join_ros("striate");
-  parts_ = std::make_unique<Parts>(settings, description);
+  parts_ = std::make_unique<Parts>(settings, description, *keeper_);
   const TimePoint end = parts_->mail.clock.now() + patience;
   for (std::string missing = parts_->missing(); !missing.empty(); missing = parts_->missing()) {
     if (parts_->mail.clock.now() > end)

@@ -8,6 +8,8 @@
 
 namespace striate::ros {
 
+class CmdVelKeeper;
+
 /// A robot that is only reachable through ROS 1, as a body: images, odometry, laser, sonar and
 /// the head's joints come as topics, `cmd_vel` goes out.
 ///
@@ -15,7 +17,8 @@ namespace striate::ros {
 /// late for longer than `stale`, or the newest command is older than `lease`, or the master has not
 /// answered for a second, zero is published. Where the program did not run for a while, as when it
 /// was suspended, or nobody decided in the midst of motion, it holds until `reset`. With the end of
-/// the object zero is published too.
+/// the object zero is published too. When the program dies or is stopped, a node of its own
+/// publishes zero, see cmd_vel_keeper.hpp.
 class RosRobot final : public Robot {
  public:
   /// Joins ROS and waits for the first images and odometry.
@@ -40,6 +43,7 @@ class RosRobot final : public Robot {
 
  private:
   struct Parts;
+  std::unique_ptr<CmdVelKeeper> keeper_;  // first: it must be made before ROS is joined
   std::unique_ptr<Parts> parts_;
 };
 
