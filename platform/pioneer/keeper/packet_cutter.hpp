@@ -31,7 +31,8 @@ class PacketCutter {
   [[nodiscard]] std::size_t whole_bytes() const {
     constexpr std::uint8_t kFirst = 0xfa;   // ARCOS manual, packet protocol
     constexpr std::uint8_t kSecond = 0xfb;  // ARCOS manual, packet protocol
-    constexpr std::size_t kLeastCount = 3;  // id and checksum
+    /// Bytes: id and checksum; ARCOS manual, packet protocol
+    constexpr std::size_t kLeastCount = 3;
     if (size_ == 0) return 0;
     if (held_[0] != kFirst || (size_ > 1 && held_[1] != kSecond)) return 1;
     if (size_ < 3) return 0;
