@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "striate/base/index_within.hpp"
+
 namespace striate::behaviours {
 namespace {
 
@@ -36,7 +38,7 @@ constexpr double kDiagonal = 1.41421356;
 
 std::size_t KnownFloor::index(Point2 odometry) {
   const auto square = [](double metres) {
-    return static_cast<std::size_t>(static_cast<int>(std::floor(metres / kSquare_m)) & (kSide - 1));
+    return static_cast<std::size_t>(cell_below(metres / kSquare_m) & (kSide - 1));
   };
   return square(odometry.y_m) * kSide + square(odometry.x_m);
 }

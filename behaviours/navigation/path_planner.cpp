@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "striate/base/index_within.hpp"
+
 namespace striate::behaviours {
 namespace {
 
@@ -78,8 +80,8 @@ void PathPlanner::mark_last_path() {
   if (!way_.found) return;
   for (std::size_t i = 0; i < way_.count; ++i) {
     const Point2 place = inverse_transform(frame_, way_.points[i]);
-    const int along = static_cast<int>(std::lround(place.x_m / kStep_m)) + kBehind;
-    const int aside = static_cast<int>(std::lround(place.y_m / kStep_m)) + kAside;
+    const int along = nearest_cell(place.x_m / kStep_m) + kBehind;
+    const int aside = nearest_cell(place.y_m / kStep_m) + kAside;
     if (along < 0 || along >= kLong) continue;
     for (int k = std::max(0, aside - kHabitReach); k <= std::min(kWide - 1, aside + kHabitReach);
          ++k) {

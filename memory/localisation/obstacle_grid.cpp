@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "striate/base/index_within.hpp"
+
 namespace striate::memory {
 namespace {
 
 std::int32_t cell_of(double metres) {
-  return static_cast<std::int32_t>(std::floor(metres / kObstacleCell_m));
+  return cell_below(metres / kObstacleCell_m);
 }
 
 }  // namespace

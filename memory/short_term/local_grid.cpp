@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "striate/base/index_within.hpp"
+
 namespace striate::memory {
 namespace {
 
@@ -17,8 +19,7 @@ LocalGrid::LocalGrid()
     : cells_(static_cast<std::size_t>(kSide) * kSide), scratch_(cells_.size(), 0.0F) {}
 
 GridCell LocalGrid::cell_of(Point2 odometry) {
-  return {static_cast<int>(std::floor(odometry.x_m / kCell_m)),
-          static_cast<int>(std::floor(odometry.y_m / kCell_m))};
+  return {cell_below(odometry.x_m / kCell_m), cell_below(odometry.y_m / kCell_m)};
 }
 
 Point2 LocalGrid::centre_of(GridCell cell) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "striate/base/index_within.hpp"
+
 namespace striate::memory {
 namespace {
 
@@ -38,6 +40,7 @@ constexpr double kOneAgrees = 0.6;
 // last is left out; beyond a sigma of 0.1 m, two patches, it is thinned.
 constexpr double kSpreadSigmas = 1.2;
 constexpr double kThinFrom_m = 0.1;
+constexpr int kMostSpread = LocalGrid::kSide;  // each way, in steps of a cell: all of the map
 constexpr double kLeastWeight = 0.02;
 constexpr double kHidesBeside = 1.5;  // by hand: a cell two thirds full shows no floor beside it
 constexpr double kMostlyFull = 0.3;   // by hand: share of a look from which a thing has come
@@ -173,7 +176,7 @@ void OccupancyUpdater::gather_occupied(const perception::Column& column, double 
   const double angle = look.pose.heading_rad + column.bearing_rad;
   const double dx = std::cos(angle);
   const double dy = std::sin(angle);
-  const int steps = static_cast<int>(std::ceil(kSpreadSigmas * sigma_m / kRayStep_m));
+  const int steps = ceil_within(kSpreadSigmas * sigma_m / kRayStep_m, 0, kMostSpread);
   for (int k = -steps; k <= steps; ++k) {
     const double offset_m = k * kRayStep_m;
     const double weight = peak * std::exp(-0.5 * offset_m * offset_m / (sigma_m * sigma_m));

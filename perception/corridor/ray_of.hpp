@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "striate/base/index_within.hpp"
+
 namespace striate::perception {
 
 constexpr int kRays = 360;  ///< directions in which lines leave a point
@@ -31,7 +33,7 @@ constexpr int kRays = 360;  ///< directions in which lines leave a point
   const auto whole = static_cast<float>(static_cast<int>(std::min(2.0F * kRays, ray)));
   if (ray > whole + kBorder && ray < whole + 1.0F - kBorder) return static_cast<int>(whole);
   const double turn = std::atan2(dv, du) / (2.0 * std::numbers::pi) + 0.5;
-  return std::min(kRays - 1, static_cast<int>(turn * kRays));
+  return cut_within(turn * kRays, 0, kRays - 1);
 }
 
 }  // namespace striate::perception

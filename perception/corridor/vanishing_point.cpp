@@ -5,6 +5,7 @@
 #include <cmath>
 #include <span>
 
+#include "striate/base/index_within.hpp"
 #include "striate/perception/corridor/ray_of.hpp"
 
 namespace striate::perception {
@@ -12,6 +13,8 @@ namespace {
 
 /// The least spread of a vote: finer bins would say nothing more
 constexpr double kVoteBin_px = 2.0;
+/// An image of 640 px that shows 4 degrees takes 11 500; what converges farther out is not sought
+constexpr int kMostBins = 16384;
 /// 3.4 deg, of one edge point's orientation over 3x3 pixels (ours)
 constexpr double kAngleError_rad = 0.06;
 /// cos 13 deg: |normal_u| above it is a door frame or corner, which meets nothing
@@ -36,6 +39,7 @@ constexpr double kLevel = 0.08;
 constexpr int kTakenBins = 3;
 /// px uphill to either side of a candidate: two bins, half of kSamePlace_px
 constexpr double kClimb_px = 4.0;
+constexpr int kClimbSteps = 5;  ///< the bins from one end of the climb to the other
 /// Times; each uses the lines through the point of the one before (ours)
 constexpr int kRefinements = 2;
 
@@ -46,7 +50,7 @@ bool may_vote(const EdgePoint& e, const VanishingSearch& search) {
 
 /// One-dimensional votes along the horizon.
 std::vector<double> vote(const std::vector<EdgePoint>& edges, const VanishingSearch& search) {
-  const int bins = static_cast<int>((search.to_u_px - search.from_u_px) / kVoteBin_px) + 1;
+  const int bins = cut_within((search.to_u_px - search.from_u_px) / kVoteBin_px, 0, kMostBins) + 1;
   std::vector<double> votes(bins, 0.0);
   for (const EdgePoint& e : edges) {
     const double along = std::abs(e.normal_u);  // sine of the line's angle to the horizon
@@ -55,10 +59,8 @@ std::vector<double> vote(const std::vector<EdgePoint>& edges, const VanishingSea
     const double u = e.u_px - dv * e.normal_v / e.normal_u;
     const double spread_px =
         std::max(kVoteBin_px, std::abs(dv) * kAngleError_rad / (along * along));
-    const int from =
-        std::max(0, static_cast<int>((u - spread_px - search.from_u_px) / kVoteBin_px));
-    const int to = std::min(
-        bins - 1, static_cast<int>(std::floor((u + spread_px - search.from_u_px) / kVoteBin_px)));
+    const int from = cut_within((u - spread_px - search.from_u_px) / kVoteBin_px, 0, bins);
+    const int to = floor_within((u + spread_px - search.from_u_px) / kVoteBin_px, -1, bins - 1);
     for (int b = from; b <= to; ++b) votes[b] += e.weight / spread_px;
   }
   return votes;
@@ -241,7 +243,10 @@ VanishingPoint refine(const std::vector<EdgePoint>& voters, const VanishingSearc
   VanishingPoint point;
   point.v_px = search.horizon_v_px;
   std::vector<Aligned> aligned;
-  for (double u = candidate_u_px - kClimb_px; u <= candidate_u_px + kClimb_px; u += kVoteBin_px) {
+  // Counted, too: so far out that another step leads nowhere it would never end.
+  int steps = 0;
+  for (double u = candidate_u_px - kClimb_px;
+       u <= candidate_u_px + kClimb_px && steps < kClimbSteps; u += kVoteBin_px, ++steps) {
     find_aligned(voters, u, search.horizon_v_px, aligned);
     const double score = score_of(sum_rays(aligned));
     if (score > point.score) {

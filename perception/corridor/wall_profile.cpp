@@ -5,6 +5,8 @@
 #include <bitset>
 #include <cmath>
 
+#include "striate/base/index_within.hpp"
+
 namespace striate::perception {
 namespace {
 
@@ -119,11 +121,12 @@ Walls find_walls(const std::vector<SpacePoint>& points, double heading_rad) {
     const double along_m = c * p.x_m + s * p.y_m;
     const double side_m = c * p.y_m - s * p.x_m;
     const double distance_m = std::abs(side_m);
-    if (along_m < 0.0 || distance_m < kNearest_m || distance_m >= kFarthestSide_m) continue;
-    const int along = static_cast<int>(along_m / kAlongCell_m);
-    const int up = static_cast<int>(p.z_m / kUpCell_m);
+    // Said so that what is no number is no wall.
+    if (!(along_m >= 0.0 && distance_m >= kNearest_m && distance_m < kFarthestSide_m)) continue;
+    const int along = cut_within(along_m / kAlongCell_m, 0, kAlongCells);
+    const int up = cut_within(p.z_m / kUpCell_m, -1, kUpCells);
     if (along >= kAlongCells || up < 0 || up >= kUpCells) continue;
-    const int bin = static_cast<int>(distance_m / kSideBin_m);
+    const int bin = cut_within(distance_m / kSideBin_m, 0, kSideBins - 1);
     (side_m > 0.0 ? left : right)[bin].set(static_cast<std::size_t>(along * kUpCells + up));
     (side_m > 0.0 ? left_sides : right_sides).push_back(static_cast<float>(distance_m));
   }

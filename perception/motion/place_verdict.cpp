@@ -4,6 +4,8 @@
 #include <cmath>
 #include <optional>
 
+#include "striate/base/index_within.hpp"
+
 namespace striate::perception {
 namespace {
 
@@ -11,8 +13,8 @@ namespace {
 enum class Around { unknown, same, farther, nearer, mixed };
 
 Around look_around(const DisparityMap& map, const ImagePoint& place, const MotionSettings& s) {
-  const int u = static_cast<int>(std::lround(place.u_px));
-  const int v = static_cast<int>(std::lround(place.v_px));
+  const int u = nearest_cell(place.u_px);
+  const int v = nearest_cell(place.v_px);
   const int r = s.slack_px;
   const cv::Mat1f& d = map.disparity_px;
   if (u < r || v < r || u >= d.cols - r || v >= d.rows - r) return Around::unknown;
@@ -36,8 +38,7 @@ Around look_around(const DisparityMap& map, const ImagePoint& place, const Motio
 /// more, and was no farther from the point than it could have walked.
 bool has_left(const SpacePoint& point, const ImagePoint& place, const CarriedBack& carried,
               const SeenMaps& maps, const MotionSettings& s) {
-  const cv::Point at(static_cast<int>(std::lround(place.u_px)),
-                     static_cast<int>(std::lround(place.v_px)));
+  const cv::Point at(nearest_cell(place.u_px), nearest_cell(place.v_px));
   const float d = maps.before.disparity_px(at);
   if (!std::isfinite(d) || maps.before.confidence(at) < s.trusted) return false;
   const SpacePoint stood = carried.before().point(at.x, at.y, d);

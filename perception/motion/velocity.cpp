@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "striate/base/index_within.hpp"
+
 namespace striate::perception {
 namespace {
 
@@ -17,6 +19,9 @@ constexpr double kTrusted = 0.3;  ///< confidence; as MotionSettings::trusted
 constexpr double kNearRange = 0.15;
 /// m/s; 0.2 m in half a second, one px of disparity at 2.2 m
 constexpr double kForwardStep_m_s = 0.4;
+/// Each way; a thing half a metre before the shipped camera takes 800 (0.12 m / 50 px in half a
+/// second), and more would take longer than a cycle
+constexpr int kMostSteps = 2048;
 
 /// Every so-many-th pixel.
 std::vector<ThingPixel> thinned(const std::vector<ThingPixel>& pixels) {
@@ -42,7 +47,7 @@ class Search {
     return inside ? place : std::nullopt;
   }
   [[nodiscard]] static cv::Point pixel_of(const ImagePoint& place) {
-    return {static_cast<int>(std::lround(place.u_px)), static_cast<int>(std::lround(place.v_px))};
+    return {nearest_cell(place.u_px), nearest_cell(place.v_px)};
   }
 
   /// Mean |difference| of greys, less the mean difference (exposure may have changed); nothing
@@ -80,8 +85,8 @@ double median(std::vector<double>& values) {
 /// The velocity that explains the pixels best; nothing where it does not stand out. Steps sideways
 /// are one pixel of the earlier image.
 std::optional<Point2> best_velocity(Search& search, double sideways_step_m_s, double fastest_m_s) {
-  const int forward_steps = static_cast<int>(fastest_m_s / kForwardStep_m_s);
-  const int sideways_steps = static_cast<int>(fastest_m_s / sideways_step_m_s);
+  const int forward_steps = cut_within(fastest_m_s / kForwardStep_m_s, 0, kMostSteps);
+  const int sideways_steps = cut_within(fastest_m_s / sideways_step_m_s, 0, kMostSteps);
   std::vector<double> all;
   std::optional<Point2> best;
   double least = 0.0;

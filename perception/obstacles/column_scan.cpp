@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "striate/base/index_within.hpp"
+
 namespace striate::perception {
 namespace {
 
@@ -44,7 +46,7 @@ using Histogram = std::vector<float>;  // one column's weight per bin
 void add_column(const JudgedMap& judged, int u, Histogram& sum, float sign) {
   for (int v = 0; v < judged.kind.rows; ++v) {
     if (static_cast<PixelKind>(judged.kind(v, u)) != PixelKind::standing) continue;
-    const int bin = static_cast<int>(judged.level(v, u) / kBin_px);
+    const int bin = cut_within(judged.level(v, u) / kBin_px, 0, kBins);
     if (bin < kBins) sum[bin] += sign * judged.weight(v, u);
   }
 }
@@ -111,6 +113,7 @@ JudgedMap judge_pixels(const DisparityMap& map, const ViewGeometry& geometry,
   for (int v = 0; v < size.height; ++v) {
     const double floor_px = geometry.floor_disparity_px(v) + floor_offset_px;
     const double level_factor = geometry.level_factor(v);
+    if (!(level_factor > 0.0)) continue;  // such a row looks straight down or behind
     for (int u = 0; u < size.width; ++u) {
       const double d = map.disparity_px(v, u);
       const float trust = map.confidence(v, u);
@@ -145,7 +148,7 @@ std::vector<Standing> find_standing(const JudgedMap& judged, const ViewGeometry&
     needed[b] = needed_support((b + 0.5) * kBin_px, geometry, settings);
   }
   const int first_bin =
-      std::max(1, static_cast<int>(geometry.focal_baseline() / settings.farthest_m / kBin_px));
+      cut_within(geometry.focal_baseline() / settings.farthest_m / kBin_px, 1, kBins);
   Histogram pooled(kBins, 0.0F);
   for (int u = 0; u < std::min(kPool, width); ++u) add_column(judged, u, pooled, 1.0F);
   for (int u = 0; u < width; ++u) {

@@ -118,7 +118,7 @@ double calibrate_floor(const DisparityMap& map, const ViewGeometry& geometry,
     if (floor_px < kLeastFloor_px) continue;
     for (int u = 0; u < map.disparity_px.cols; ++u) {
       const double residual = map.disparity_px(v, u) - floor_px;
-      if (map.confidence(v, u) < settings.trusted || std::abs(residual) > kNear_px) continue;
+      if (map.confidence(v, u) < settings.trusted || !(std::abs(residual) <= kNear_px)) continue;
       residuals.push_back(static_cast<float>(residual));
     }
   }

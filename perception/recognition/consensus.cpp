@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "striate/base/index_within.hpp"
+
 namespace striate::perception {
 namespace {
 
@@ -79,8 +81,8 @@ int ConsensusFinder::distinct() {
   for (const bool of_view : {true, false}) {
     points_.clear();
     for (const PlacePair& pair : agreeing_) {
-      const int place = static_cast<int>(std::lround(pair.image.v_px)) * 65536 +
-                        static_cast<int>(std::lround(pair.image.u_px));
+      const int place =
+          round_within(pair.image.v_px, 0, 32767) * 65536 + round_within(pair.image.u_px, 0, 65535);
       points_.push_back(of_view ? pair.view_point : place);
     }
     std::ranges::sort(points_);

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "striate/base/index_within.hpp"
+
 namespace striate::perception {
 namespace {
 
@@ -19,8 +21,7 @@ int side_px(int image_px, int size) {
 }
 
 int begin_of(double middle_px, int side, int image_px) {
-  const int begin = static_cast<int>(std::lround(middle_px - 0.5 * side));
-  return std::clamp(begin, 0, image_px - side);
+  return round_within(middle_px - 0.5 * side, 0, image_px - side);
 }
 
 }  // namespace
@@ -33,7 +34,7 @@ void LookWindows::begin(cv::Size image, int most) {
 
 void LookWindows::add(const cv::Rect2d& box) {
   const cv::Rect2d seen = box & cv::Rect2d(0.0, 0.0, image_.width, image_.height);
-  if (windows_.size() >= most_ || seen.area() <= 0.0) return;
+  if (windows_.size() >= most_ || !(seen.area() > 0.0)) return;
   const bool known = std::ranges::any_of(windows_, [&](const LookWindow& window) {
     return (cv::Rect2d(window.part) & seen).area() >= kMostlyCovered * seen.area();
   });

@@ -3,16 +3,17 @@
 #include <algorithm>
 #include <cmath>
 
+#include "striate/base/index_within.hpp"
+
 namespace striate::perception {
 
 double median_disparity_px(const DisparityMap& map, const cv::Rect2d& box,
                            std::vector<float>& buffer) {
   const cv::Mat1f& disparity = map.disparity_px;
-  const int left = std::max(0, static_cast<int>(std::lround(box.x)));
-  const int top = std::max(0, static_cast<int>(std::lround(box.y)));
-  const int right = std::min(disparity.cols, static_cast<int>(std::lround(box.x + box.width)) + 1);
-  const int bottom =
-      std::min(disparity.rows, static_cast<int>(std::lround(box.y + box.height)) + 1);
+  const int left = round_within(box.x, 0, disparity.cols);
+  const int top = round_within(box.y, 0, disparity.rows);
+  const int right = round_within(box.x + box.width, -1, disparity.cols - 1) + 1;
+  const int bottom = round_within(box.y + box.height, -1, disparity.rows - 1) + 1;
   if (left >= right || top >= bottom) return 0.0;
   buffer.clear();
   for (int v = top; v < bottom; ++v) {

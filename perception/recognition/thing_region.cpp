@@ -4,6 +4,8 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
+#include "striate/base/index_within.hpp"
+
 namespace striate::perception {
 namespace {
 
@@ -34,10 +36,8 @@ const SalientRegion* region_at(const Percept& percept, double bearing_rad) {
 cv::Rect grown_box(const SalientRegion& region, cv::Size size) {
   const double width = region.width_px * (1 + 2 * kGrown);
   const double height = region.height_px * (1 + 2 * kGrown);
-  const cv::Rect box(static_cast<int>(std::lround(region.u_px - width / 2)),
-                     static_cast<int>(std::lround(region.v_px - height / 2)),
-                     static_cast<int>(std::lround(width)) + 1,
-                     static_cast<int>(std::lround(height)) + 1);
+  const cv::Rect box(nearest_cell(region.u_px - width / 2), nearest_cell(region.v_px - height / 2),
+                     nearest_cell(width) + 1, nearest_cell(height) + 1);
   return box & cv::Rect({0, 0}, size);
 }
 
@@ -106,10 +106,8 @@ std::optional<ThingRegion> find_thing(const Percept& percept, const ViewGeometry
 
 cv::Rect full_size_box(const ThingRegion& thing, cv::Size image) {
   const double zoom = static_cast<double>(image.width) / thing.mask.cols;
-  const cv::Rect box(static_cast<int>(std::lround(thing.box.x * zoom)),
-                     static_cast<int>(std::lround(thing.box.y * zoom)),
-                     static_cast<int>(std::lround(thing.box.width * zoom)),
-                     static_cast<int>(std::lround(thing.box.height * zoom)));
+  const cv::Rect box(nearest_cell(thing.box.x * zoom), nearest_cell(thing.box.y * zoom),
+                     nearest_cell(thing.box.width * zoom), nearest_cell(thing.box.height * zoom));
   return box & cv::Rect({0, 0}, image);
 }
 
@@ -129,8 +127,8 @@ LandmarkView view_of_thing(const cv::Mat1b& grey, const ThingRegion& thing,
   view.height_px = all.height_px;
   for (std::size_t k = 0; k < all.keypoints.size(); ++k) {
     const ViewKeypoint& point = all.keypoints[k];
-    const int u = std::clamp(static_cast<int>((box.x + point.x_px) / zoom), 0, thing.mask.cols - 1);
-    const int v = std::clamp(static_cast<int>((box.y + point.y_px) / zoom), 0, thing.mask.rows - 1);
+    const int u = cut_within((box.x + point.x_px) / zoom, 0, thing.mask.cols - 1);
+    const int v = cut_within((box.y + point.y_px) / zoom, 0, thing.mask.rows - 1);
     if (thing.mask(v, u) == 0) continue;
     view.keypoints.push_back(point);
     view.descriptors.push_back(all.descriptors[k]);

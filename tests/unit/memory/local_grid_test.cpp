@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace striate::memory {
 namespace {
 
@@ -89,6 +91,18 @@ TEST(LocalGrid, BlurSoftensOldEvidenceAndSparesNew) {
   EXPECT_LT(grid.log_odds({10, 10}), 2.5F);
   EXPECT_GT(grid.log_odds({11, 10}), 0.1F);
   EXPECT_FLOAT_EQ(grid.log_odds({-10, -10}), 3.0F);
+}
+
+TEST(LocalGrid, PlacesThatCannotBeAreInNoPatchOfIt) {
+  LocalGrid grid;
+  const double none = std::nan("");
+  for (const double odd : {-1e300, -1e12, 1e12, 1e300, none}) {
+    grid.centre_on({odd, -odd});
+    grid.add(LocalGrid::cell_of({odd, odd}), 1.0F, {});
+    EXPECT_EQ(grid.state(LocalGrid::cell_of({-odd, 0.0})), CellState::unknown);
+    grid.centre_on({0.0, 0.0});
+    EXPECT_FALSE(grid.holds(LocalGrid::cell_of({odd, 0.0}))) << odd;
+  }
 }
 
 }  // namespace
