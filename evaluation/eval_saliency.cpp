@@ -7,6 +7,7 @@
 #include <opencv2/saliency.hpp>
 
 #include "striate/base/files.hpp"
+#include "striate/base/index_within.hpp"
 #include "striate/evaluation/evaluation.hpp"
 #include "striate/evaluation/fixations.hpp"
 #include "striate/evaluation/images/read_image.hpp"
@@ -89,8 +90,8 @@ void judge(const cv::Mat3b& image, const std::vector<cv::Point2d>& fixations,
                       std::max(1, static_cast<int>(std::lround(image.rows * scale))));
   std::vector<cv::Point> points;
   for (const cv::Point2d& p : fixations) {
-    const cv::Point at(static_cast<int>(std::floor(p.x * scale)),
-                       static_cast<int>(std::floor(p.y * scale)));
+    const cv::Point at(floor_within(p.x * scale, -1, size.width),
+                       floor_within(p.y * scale, -1, size.height));
     if (at.x >= 0 && at.x < size.width && at.y >= 0 && at.y < size.height) points.push_back(at);
   }
   if (points.empty()) return;

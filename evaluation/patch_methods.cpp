@@ -6,6 +6,8 @@
 #include <opencv2/features2d.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "striate/base/index_within.hpp"
+
 namespace striate::evaluation {
 namespace {
 
@@ -127,7 +129,8 @@ double false_positive_rate(const std::vector<PatchPair>& pairs, const std::vecto
   if (same.empty() || same.size() == pairs.size()) return 0.0;
   std::ranges::sort(same);
   const double needed = std::ceil(recall * static_cast<double>(same.size()));
-  const float threshold = same[static_cast<std::size_t>(std::max(needed - 1.0, 0.0))];
+  const int last = static_cast<int>(same.size()) - 1;
+  const float threshold = same[static_cast<std::size_t>(cut_within(needed - 1.0, 0, last))];
   std::size_t accepted = 0;
   for (std::size_t k = 0; k < pairs.size(); ++k) {
     accepted += !pairs[k].same && distances[k] <= threshold;

@@ -6,6 +6,7 @@
 #include <opencv2/calib3d.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "striate/base/index_within.hpp"
 #include "striate/perception/stereo/stereo_matcher.hpp"
 
 namespace striate::evaluation {
@@ -62,8 +63,10 @@ std::vector<StereoMethod> stereo_methods(int width, int searched) {
 int disparities_to_search(const std::vector<StereoPair>& pairs) {
   double largest = 0.0;
   int least = 48;
+  int widest = 0;
   for (const StereoPair& pair : pairs) {
     least = std::max(least, 48 * pair.left.cols / 160);
+    widest = std::max(widest, pair.left.cols);  // what lies beyond is in no image
     for (int y = 0; y < pair.truth_px.rows; ++y) {
       for (int x = 0; x < pair.truth_px.cols; ++x) {
         if (std::isfinite(pair.truth_px(y, x))) {
@@ -72,7 +75,7 @@ int disparities_to_search(const std::vector<StereoPair>& pairs) {
       }
     }
   }
-  const int wanted = std::max(least, static_cast<int>(std::ceil(largest)) + 2);
+  const int wanted = ceil_within(largest, least - 2, std::max(least, widest) - 2) + 2;
   return (wanted + 15) / 16 * 16;
 }
 

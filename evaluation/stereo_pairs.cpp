@@ -7,6 +7,7 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "striate/base/index_within.hpp"
 #include "striate/base/user_error.hpp"
 #include "striate/evaluation/images/pfm.hpp"
 #include "striate/evaluation/images/set_files.hpp"
@@ -84,7 +85,7 @@ cv::Mat1f project_right(const cv::Mat1f& left) {
     for (int x = 0; x < left.cols; ++x) {
       const float d = left(y, x);
       if (!std::isfinite(d) || d <= 0.0F || d > static_cast<float>(x)) continue;
-      const int u = static_cast<int>(std::lround(static_cast<float>(x) - d));
+      const int u = round_within(static_cast<float>(x) - d, 0, x);
       right(y, u) = std::max(right(y, u), d);
     }
   }
@@ -98,7 +99,7 @@ cv::Mat1f where_both_agree(const cv::Mat1f& left, const cv::Mat1f& right) {
     for (int x = 0; x < left.cols; ++x) {
       const float d = left(y, x);
       if (!std::isfinite(d) || d <= 0.0F || d > static_cast<float>(x) + 0.5F) continue;
-      const int u = static_cast<int>(std::lround(static_cast<float>(x) - d));
+      const int u = round_within(static_cast<float>(x) - d, -1, x);
       if (u >= 0 && std::abs(right(y, u) - d) <= 1.0F) result(y, x) = d;
     }
   }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "striate/base/index_within.hpp"
+
 namespace striate::evaluation {
 
 StereoScore judge(const cv::Mat1f& disparity_px, const cv::Mat1f& truth_px) {
@@ -27,7 +29,7 @@ void Calibration::add(const cv::Mat1f& disparity_px, const cv::Mat1f& confidence
   for (int y = 0; y < truth_px.rows; ++y) {
     for (int x = 0; x < truth_px.cols; ++x) {
       if (!std::isfinite(truth_px(y, x)) || !std::isfinite(disparity_px(y, x))) continue;
-      const auto bin = std::clamp(static_cast<int>(confidence(y, x) * kBins), 0, kBins - 1);
+      const int bin = cut_within(confidence(y, x) * kBins, 0, kBins - 1);
       auto count = [&](Bin& to) {
         ++to.count;
         to.right += std::abs(disparity_px(y, x) - truth_px(y, x)) <= 1.0F;
