@@ -151,6 +151,10 @@ bool PioneerRobot::sense(Senses& senses) {
   return true;
 }
 
+std::string PioneerRobot::camera_trouble() const {
+  return camera_ ? camera_->trouble() : std::string();
+}
+
 void PioneerRobot::send(const MotorCommand& command) {
   driver_.command(command, seen_at_);
   if (turret_) turret_->command({command.pan_rad, command.tilt_rad});

@@ -39,6 +39,8 @@ class PioneerRobot final : public Robot {
   /// looked at the robot.
   void reset();
 
+  /// Why no image comes, or why the newest was refused; "": it is good, or there is no camera.
+  [[nodiscard]] std::string camera_trouble() const;
   [[nodiscard]] DriverThread& driver() { return driver_; }
   /// Null: there is none.
   [[nodiscard]] TurretLink* turret() { return turret_.get(); }

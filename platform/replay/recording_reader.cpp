@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "striate/base/user_error.hpp"
+#include "striate/platform/interface/plausible.hpp"
 #include "striate/platform/replay/recording_codec.hpp"
 
 namespace striate::replay {
@@ -14,8 +15,12 @@ namespace {
 
 std::unique_ptr<std::istream> open(const std::string& file) {
   std::error_code code;
-  auto stream = std::make_unique<std::ifstream>(file, std::ios::binary);
-  if (!*stream || std::filesystem::is_directory(file, code)) {
+  std::unique_ptr<std::ifstream> stream;
+  // A pipe may never say anything, and a device never end.
+  if (std::filesystem::is_regular_file(file, code)) {
+    stream = std::make_unique<std::ifstream>(file, std::ios::binary);
+  }
+  if (!stream || !*stream) {
     throw UserError(fmt::format("{}: cannot be read\n    is the path right?", file));
   }
   return stream;
@@ -37,6 +42,11 @@ std::size_t read(std::istream& stream, std::vector<std::uint8_t>& bytes, std::si
     }
   }
   return bytes.size();
+}
+
+/// Right checksums say that the bytes are what was written, not that it can be.
+void refuse(const std::string& why) {
+  if (!why.empty()) throw BadBytes(why);
 }
 
 }  // namespace
@@ -70,6 +80,7 @@ void RecordingReader::read_head() {
   if (kind != Chunk::setup) damaged("it does not begin with the settings of the run");
   try {
     setup_ = decode_setup(payload_);
+    refuse(why_implausible(setup_.robot));
   } catch (const BadBytes& error) {
     damaged(error.what());
   }
@@ -109,6 +120,8 @@ bool RecordingReader::next(RecordedCycle& cycle) {
     }
     if (kind != Chunk::cycle) damaged("a part of unknown kind");
     decode_cycle(payload_, cycle_);
+    refuse(why_implausible(cycle_.senses));
+    refuse(why_implausible(cycle_.senses.stereo));
   } catch (const BadBytes& error) {
     damaged(error.what());
   }

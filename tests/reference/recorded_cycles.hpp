@@ -4,6 +4,7 @@
 #include <limits>
 #include <sstream>
 #include <string>
+#include <vector>
 
 #include "striate/platform/replay/recording_codec.hpp"
 #include "striate/platform/replay/recording_format.hpp"
@@ -38,7 +39,7 @@ inline replay::RecordedSetup a_setup() {
   setup.seed = 0xFFFF'FFFF'FFFF'FFFEULL;
   setup.robot.front_m = 0.123;
   setup.robot.max_tilt_rad = 0.456;
-  setup.robot.cycle = Duration(77);
+  setup.robot.cycle = Duration(77'000'001);
   return setup;
 }
 
@@ -69,6 +70,22 @@ inline replay::RecordedCycle a_cycle(std::uint64_t number) {
   cycle.decision = {{0.5, 0.1, 0.2, 0.3},  2,           time(6), "goes round \xC3\xBC",
                     {0.4, -0.1, 0.0, 0.1}, "slow zone", "avoid", true};
   return cycle;
+}
+
+/// A closed recording of these cycles, with checksums that are right.
+inline std::string recording_of(const replay::RecordedSetup& setup,
+                                const std::vector<replay::RecordedCycle>& cycles) {
+  std::vector<std::uint8_t> bytes = replay::file_head();
+  replay::append_chunk(bytes, replay::Chunk::setup, replay::encode(setup));
+  std::vector<std::uint8_t> payload;
+  for (const replay::RecordedCycle& cycle : cycles) {
+    replay::encode(cycle, false, payload);
+    replay::append_chunk(bytes, replay::Chunk::cycle, payload);
+  }
+  payload.clear();
+  ByteWriter(payload).put(std::uint64_t{0});
+  replay::append_chunk(bytes, replay::Chunk::end, payload);
+  return {bytes.begin(), bytes.end()};
 }
 
 /// A closed recording of so many cycles.

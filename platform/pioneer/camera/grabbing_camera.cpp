@@ -4,6 +4,9 @@
 #include <cmath>
 #include <exception>
 #include <opencv2/imgproc.hpp>
+#include <stdexcept>
+
+#include "striate/platform/interface/plausible.hpp"
 
 namespace striate::pioneer {
 namespace {
@@ -63,6 +66,7 @@ void GrabbingCamera::hand_on(const cv::Mat3b& left, const cv::Mat3b& right) {
     frame = as_it_is(seen_left, seen_right);
   }
   frame.stamp = stamp;
+  if (const std::string why = why_implausible(frame); !why.empty()) throw std::runtime_error(why);
   newest_.put(std::move(frame));
 }
 

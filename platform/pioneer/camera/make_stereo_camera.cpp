@@ -13,7 +13,7 @@ std::unique_ptr<StereoCamera> make_stereo_camera(const std::string& url,
   const std::size_t colon = url.find(':');
   const std::string kind = url.substr(0, colon);
   const std::string rest = colon == std::string::npos ? std::string() : url.substr(colon + 1);
-  if (kind == "tcp") return std::make_unique<NetworkCamera>(make_transport(url), clock);
+  if (kind == "tcp") return std::make_unique<NetworkCamera>(make_transport(url), settings, clock);
   if (kind == "video") {
     return std::make_unique<GrabbingCamera>(make_video_source(rest), settings, clock);
   }

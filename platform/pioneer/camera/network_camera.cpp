@@ -2,7 +2,8 @@
 
 namespace striate::pioneer {
 
-NetworkCamera::NetworkCamera(std::unique_ptr<Transport> line, const Clock& clock)
-    : thread_(device_, std::move(line), clock) {}
+NetworkCamera::NetworkCamera(std::unique_ptr<Transport> line, const StereoCameraSettings& expected,
+                             const Clock& clock)
+    : device_(expected), thread_(device_, std::move(line), clock) {}
 
 }  // namespace striate::pioneer

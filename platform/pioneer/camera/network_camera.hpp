@@ -8,10 +8,14 @@ namespace striate::pioneer {
 /// A camera that sends its images as a stream; see image_stream.hpp.
 class NetworkCamera final : public StereoCamera {
  public:
-  /// `clock` must outlive this.
-  NetworkCamera(std::unique_ptr<Transport> line, const Clock& clock);
+  /// `clock` must outlive this. @param expected what the stream's numbers are checked against
+  NetworkCamera(std::unique_ptr<Transport> line, const StereoCameraSettings& expected,
+                const Clock& clock);
   [[nodiscard]] StereoFrame newest() const override { return device_.newest(); }
-  [[nodiscard]] std::string trouble() const override { return thread_.trouble(); }
+  [[nodiscard]] std::string trouble() const override {
+    const std::string line = thread_.trouble();
+    return line.empty() ? device_.refused() : line;
+  }
 
  private:
   StreamDevice device_;

@@ -8,7 +8,8 @@
 
 namespace striate::pioneer {
 
-/// Of cameras that are read here; an image stream brings its own numbers and needs only the mount.
+/// Of cameras that are read here. An image stream brings its own numbers and needs only the mount;
+/// `field` and `baseline` are then what its numbers are checked against.
 struct StereoCameraSettings {
   double height_m = RobotDescription{}.camera_height_m;
   double forward_m = RobotDescription{}.camera_forward_m;
@@ -36,9 +37,9 @@ void visit(V& v, StereoCameraSettings& s) {
   v.integer("width", s.width_px, {32, 1280}, "pixels a line of what the vision gets");
   v.number("latency", s.latency_s, Unit::duration, {0.0, 2.0}, "from light to image");
   v.number("field", s.field_rad, Unit::angle, {radians(10), radians(120)},
-           "horizontal view, where there is no calibration");
+           "horizontal view, where there is no calibration; a stream must say about the same");
   v.number("baseline", s.baseline_m, Unit::length, {0.01, 1.0},
-           "between the eyes, where there is no calibration");
+           "between the eyes, where there is no calibration; a stream must say about the same");
 }
 
 }  // namespace striate::pioneer

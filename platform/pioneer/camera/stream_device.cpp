@@ -1,12 +1,22 @@
 #include "striate/platform/pioneer/camera/stream_device.hpp"
 
 #include <algorithm>
+#include <utility>
+
+#include "striate/platform/interface/plausible.hpp"
 
 namespace striate::pioneer {
 namespace {
 
 /// Four questions a second: 24 bytes there and back each, a thousandth of an image
 constexpr Duration kAskImageSender = std::chrono::milliseconds(250);
+
+std::string why_refused(const StereoFrame& frame, const StereoCameraSettings& expected) {
+  std::string why = why_implausible(frame);
+  if (!why.empty()) return why;
+  why = why_of_another_camera(frame, expected.field_rad, expected.baseline_m);
+  return why.empty() ? why : why + " (settings pioneer.camera.field and pioneer.camera.baseline)";
+}
 
 }  // namespace
 
@@ -49,6 +59,10 @@ void StreamDevice::take(image_stream::Image image, TimePoint now) {
   if (!clock_.is_bounded()) clock_.answered(connected_at_, sent);
   image.frame.stamp = std::min(now, clock_.at(sent)) - image.age;
   if (image.frame.stamp < newest_.newest().stamp) return;
+  std::string why = why_refused(image.frame, expected_);
+  const bool good = why.empty();
+  refused_.put(std::move(why));
+  if (!good) return;
   newest_.put(std::move(image.frame));
 }
 

@@ -13,10 +13,12 @@ using namespace std::chrono_literals;
 struct Line {
   explicit Line(bool answers_in = true) : answers(answers_in) {
     device.line_up(now);
-    frame.left.create(2, 2);
-    frame.right.create(2, 2);
-    frame.focal_px = 100.0;
-    frame.baseline_m = 0.1;
+    frame.left.create(30, 40);
+    frame.right.create(30, 40);
+    frame.focal_px = 50.75;  // as StereoCameraSettings has it, 43 degrees wide
+    frame.centre_u_px = 19.5;
+    frame.centre_v_px = 14.5;
+    frame.baseline_m = 0.12;
   }
   void step() {
     now += 10ms;
@@ -59,7 +61,7 @@ struct Line {
 
   /// The camera's clock runs before ours.
   static constexpr Duration kApart = 777s;
-  StreamDevice device;
+  StreamDevice device{StereoCameraSettings{}};
   image_stream::QuestionReader questions;
   StereoFrame frame;
   TimePoint now{5s};

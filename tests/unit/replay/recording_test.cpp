@@ -95,7 +95,7 @@ TEST(Recording, GivesBackWhatTheRunWasBegunWith) {
   EXPECT_EQ(encode(reader.setup()), encode(a_setup()));
   EXPECT_EQ(reader.setup().task_files.at(1).first, "parts/back.yaml");
   EXPECT_EQ(reader.setup().seed, a_setup().seed);
-  EXPECT_EQ(reader.setup().robot.cycle, Duration(77));
+  EXPECT_EQ(reader.setup().robot.cycle, Duration(77'000'001));
 }
 
 TEST(Recording, OfABodyWithOneEyeOrNoneImagesStayEmpty) {
@@ -210,6 +210,38 @@ TEST(ReplayRobot, FeelsWhatWasFeltThenWhateverItIsTold) {
   ASSERT_TRUE(robot.sense(senses));
   EXPECT_EQ(senses.now, a_cycle(2).senses.now);
   EXPECT_FALSE(robot.sense(senses));
+}
+
+TEST(Recording, NumbersThatCannotBeAreDamageThoughTheChecksumsAreRight) {
+  using Change = void (*)(RecordedSetup&, RecordedCycle&);
+  const std::vector<std::pair<const char*, Change>> changes = {
+      {"focal length", [](auto&, auto& c) { c.senses.stereo.focal_px = 0.01; }},
+      {"focal length", [](auto&, auto& c) { c.senses.stereo.focal_px = 4e6; }},
+      {"focal length", [](auto&, auto& c) { c.senses.stereo.focal_px = std::nan(""); }},
+      {"principal point", [](auto&, auto& c) { c.senses.stereo.centre_v_px = -1e9; }},
+      {"distance of its eyes", [](auto&, auto& c) { c.senses.stereo.baseline_m = 1e-300; }},
+      {"head's tilt", [](auto&, auto& c) { c.senses.stereo.head.tilt_rad = 3.0; }},
+      {"odometry's x", [](auto&, auto& c) { c.senses.odometry.pose.x_m = 1e300; }},
+      {"odometry's heading",
+       [](auto&, auto& c) { c.senses.odometry.pose.heading_rad = std::nan(""); }},
+      {"the laser", [](auto&, auto& c) { c.senses.laser.readings.at(0).bearing_rad = 1.0 / 0.0; }},
+      {"has a time", [](auto&, auto& c) { c.senses.now = TimePoint::max(); }},
+      {"has a time", [](auto&, auto& c) { c.senses.stereo.stamp = TimePoint::min(); }},
+      {"camera's height", [](auto& s, auto&) { s.robot.camera_height_m = 0.0; }},
+      {"robot's rear", [](auto& s, auto&) { s.robot.rear_m = 1e9; }},
+      {"its cycle", [](auto& s, auto&) { s.robot.cycle = Duration(0); }}};
+  for (const auto& [what, change] : changes) {
+    RecordedSetup setup = a_setup();
+    RecordedCycle cycle = a_cycle(1);
+    EXPECT_EQ(refusal(reference::recording_of(setup, {cycle})), "") << what;
+    change(setup, cycle);
+    EXPECT_THAT(refusal(reference::recording_of(setup, {cycle})),
+                testing::AllOf(HasSubstr("run.rec: is damaged"), HasSubstr(what)));
+  }
+}
+
+TEST(Recording, APipeOrADeviceIsNoRecordingAndIsNotWaitedFor) {
+  EXPECT_THROW(RecordingReader("/dev/zero"), UserError);
 }
 
 }  // namespace
