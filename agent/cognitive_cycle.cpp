@@ -4,6 +4,8 @@
 
 #include <utility>
 
+#include "striate/agent/plausible_senses.hpp"
+
 namespace striate::agent {
 namespace {
 
@@ -57,7 +59,9 @@ CognitiveCycle::~CognitiveCycle() {
 
 /// One cycle of the robot, from light to motion. Each step takes what the steps above it made.
 bool CognitiveCycle::step() {
+  const StereoFrame seen_before = trace_.senses.stereo;
   if (!robot_.sense(trace_.senses)) return false;
+  trace_.refused = refuse_implausible(trace_.senses, seen_before);
   const Senses& senses = trace_.senses;
   const StereoFrame& image = senses.stereo;
 

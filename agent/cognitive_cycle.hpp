@@ -20,6 +20,7 @@ namespace striate::agent {
 /// What one cycle saw, wanted and did: one way out, for the status line, images and tests.
 struct CycleTrace {
   Senses senses;
+  std::string refused;  ///< why the body's newest image is not the one in `senses`; "": it is
   perception::Percept percept;
   std::vector<memory::LandmarkSighting>
       sightings;  ///< landmarks recognised in an image of this cycle

@@ -3,10 +3,12 @@
 #include <chrono>
 #include <cmath>
 #include <exception>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
 #include "striate/agent/given_variables.hpp"
+#include "striate/platform/interface/plausible.hpp"
 
 namespace striate::agent {
 namespace {
@@ -44,6 +46,9 @@ MissionParts prepare(const MissionOptions& options, const BodySource& body) {
   // Only the woken robot knows its limits; mistakes in the task are told before.
   (void)task_for(options, parts.given, body.description.value_or(simulated_robot(parts.settings)));
   parts.body = body.wake(parts.settings);
+  if (const std::string why = why_implausible(parts.body.robot->description()); !why.empty()) {
+    throw std::runtime_error("the robot cannot be such: " + why);
+  }
   parts.task = task_for(options, parts.given, parts.body.robot->description());
   for (const auto& [name, value] : body.given) {
     // Whoever gives another course than the world's has another goal than its line.
@@ -100,7 +105,8 @@ void Mission::watch_the_judge() {
 }
 
 std::string Mission::hold() const {
-  return parts_.body.hold ? parts_.body.hold() : std::string();
+  const std::string hold = parts_.body.hold ? parts_.body.hold() : std::string();
+  return hold.empty() ? cycle_.trace().refused : hold;
 }
 
 bool Mission::waits_for_reset() const {

@@ -80,7 +80,7 @@ class Mission {
   [[nodiscard]] const tasks::GivenVariables& given() const { return parts_.given; }
   [[nodiscard]] const Robot& body() const { return *parts_.body.robot; }
   [[nodiscard]] const std::string& place() const { return parts_.body.place; }
-  /// Why the body's own gate holds the robot, or slows it; "": it does not.
+  /// Why the body's own gate holds the robot, or slows it, or why its image was refused; "": no.
   [[nodiscard]] std::string hold() const;
   /// Whether that lasts until `reset_body`.
   [[nodiscard]] bool waits_for_reset() const;

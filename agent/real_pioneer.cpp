@@ -17,9 +17,11 @@ BodySource real_pioneer() {
     }
     auto robot =
         std::make_unique<pioneer::PioneerRobot>(settings.pioneer, described_by(settings.robot));
-    const auto hold = [&driver = robot->driver()] {
-      const pioneer::HoldReason reason = driver.report().hold;
-      return reason == pioneer::HoldReason::none ? std::string() : std::string(name_of(reason));
+    const auto hold = [&body = *robot] {
+      const pioneer::HoldReason reason = body.driver().report().hold;
+      if (reason != pioneer::HoldReason::none) return std::string(name_of(reason));
+      const std::string camera = body.camera_trouble();
+      return camera.empty() ? camera : "the camera: " + camera;
     };
     const auto waits = [&driver = robot->driver()] { return driver.report().latched; };
     const auto reset = [&robot = *robot] { robot.reset(); };
