@@ -1,11 +1,12 @@
 #include "striate/app/doctor/machine.hpp"
 
 #include <fmt/format.h>
-#include <hwy/targets.h>
 
 #include <filesystem>
 #include <fstream>
 #include <thread>
+
+#include "striate/base/instruction_set.hpp"
 
 namespace striate::app {
 namespace {
@@ -29,17 +30,12 @@ std::uint64_t memory_available() {
   return 0;
 }
 
-std::string widest_simd() {
-  const std::int64_t targets = hwy::SupportedTargets();
-  return hwy::TargetName(targets & -targets);  // the lowest bit is the best
-}
-
 }  // namespace
 
 Machine this_machine() {
   Machine machine;
   machine.cores = std::thread::hardware_concurrency();
-  machine.simd = widest_simd();
+  machine.simd = instruction_set();
   machine.memory_bytes = memory_available();
   std::error_code error;
   const auto space = std::filesystem::space(".", error);

@@ -135,7 +135,7 @@ void add_benchmarks(const std::string& what, const Data& data) {
       for (auto _ : state) benchmark::DoNotOptimize(function());
     })->Unit(benchmark::kMillisecond);
   };
-  for (const std::int64_t target : {HWY_AVX3_DL, HWY_AVX2, HWY_SSE4}) {
+  for (const std::int64_t target : {HWY_AVX3_DL, HWY_AVX2, HWY_SSE4, HWY_NEON}) {
     restrict_to(0);
     if ((hwy::SupportedTargets() & target) == 0) continue;
     const std::string name = hwy::TargetName(target);
