@@ -36,11 +36,14 @@ std::string typed_now() {
 
 OperatorReset::OperatorReset() {
   g_reset_asked = 0;
-  std::signal(SIGUSR1, note_reset);
+  struct sigaction asks {};
+  asks.sa_handler = note_reset;
+  asks.sa_flags = SA_RESTART;
+  sigaction(SIGUSR1, &asks, &before_);
 }
 
 OperatorReset::~OperatorReset() {
-  std::signal(SIGUSR1, SIG_DFL);
+  sigaction(SIGUSR1, &before_, nullptr);
 }
 
 bool OperatorReset::asked() {

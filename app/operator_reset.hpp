@@ -1,5 +1,6 @@
 #pragma once
 
+#include <csignal>
 #include <string>
 
 namespace striate::app {
@@ -20,6 +21,7 @@ class OperatorReset {
 
  private:
   std::string typed_;
+  struct sigaction before_ {};
 };
 
 }  // namespace striate::app

@@ -107,7 +107,7 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(Ending{"Int", SIGINT, 130}, Ending{"Term", SIGTERM, 130},
                     Ending{"Hup", SIGHUP, 130}, Ending{"Pipe", SIGPIPE, 130},
                     Ending{"Quit", SIGQUIT, 130}, Ending{"Xfsz", SIGXFSZ, 130},
-                    Ending{"Usr1", SIGUSR1, 130}, Ending{"Alrm", SIGALRM, 130},
+                    Ending{"Usr2", SIGUSR2, 130}, Ending{"Alrm", SIGALRM, 130},
                     Ending{"Xcpu", SIGXCPU, 130}, Ending{"Segv", SIGSEGV, -1},
                     Ending{"Abrt", SIGABRT, -1}, Ending{"Bus", SIGBUS, -1},
                     Ending{"Fpe", SIGFPE, -1}, Ending{"Ill", SIGILL, -1}, Ending{"Sys", SIGSYS, -1},
