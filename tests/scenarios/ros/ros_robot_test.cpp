@@ -1,4 +1,5 @@
 #include <diagnostic_msgs/DiagnosticArray.h>
+#include <geometry_msgs/Twist.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <ros/callback_queue.h>
