@@ -21,6 +21,7 @@ StereoFrame sent_frame(double focal_px = 50.75, double baseline_m = 0.12) {
 
 class ImagesOfALine : public testing::Test {
  protected:
+  ImagesOfALine() { line_.line_up(now_ + std::chrono::milliseconds(100)); }
   void send(StereoFrame frame) {
     now_ += std::chrono::milliseconds(100);
     frame.stamp = now_;
