@@ -3,6 +3,8 @@
 #include <opencv2/core/mat.hpp>
 #include <string>
 
+#include "striate/base/index_within.hpp"
+
 /// Small drawing helpers that all pictures share. Colours are BGR.
 namespace striate::agent::pictures {
 
@@ -13,6 +15,15 @@ inline const cv::Scalar kHidden{16, 14, 13};       ///< darker than the unknown 
 inline const cv::Scalar kFree{110, 200, 90};       ///< green: floor that is seen free
 inline const cv::Scalar kBlocked{60, 60, 235};     ///< red: what stands there (ours)
 inline const cv::Scalar kCorridor{235, 190, 60};   ///< blue: walls and axis of the corridor
+
+/// By hand: as far outside of the image, px, may a drawing begin; OpenCV counts with fractions of
+/// it
+inline constexpr int kFarthestDrawn = 1 << 20;
+
+/// The nearest pixel; of places far outside, one that is still outside.
+[[nodiscard]] inline int drawn_px(double px) {
+  return round_within(px, -kFarthestDrawn, kFarthestDrawn);
+}
 
 /// Text with its baseline's left end at `at`, anti-aliased; `size` 1 is 11 px high capitals.
 void write(cv::Mat3b& image, const std::string& text, cv::Point at, const cv::Scalar& colour,

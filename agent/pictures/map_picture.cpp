@@ -4,6 +4,8 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
+#include "striate/agent/pictures/canvas.hpp"
+
 namespace striate::agent::pictures {
 namespace {
 
@@ -81,8 +83,8 @@ class MapPicture {
     return {(image_.rows / 2.0 - v) / scale_, (image_.cols / 2.0 - u) / scale_};
   }
   [[nodiscard]] cv::Point pixel(Point2 robot) const {
-    return {static_cast<int>(std::lround(image_.cols / 2.0 - robot.y_m * scale_)),
-            static_cast<int>(std::lround(image_.rows / 2.0 - robot.x_m * scale_))};
+    return {drawn_px(image_.cols / 2.0 - robot.y_m * scale_),
+            drawn_px(image_.rows / 2.0 - robot.x_m * scale_)};
   }
   void line(Point2 from, Point2 to, const cv::Scalar& colour, int thickness) {
     cv::line(image_, pixel(from), pixel(to), colour, thickness, cv::LINE_AA);

@@ -10,22 +10,24 @@
 #include <unordered_map>
 
 #include "striate/agent/pictures/canvas.hpp"
+#include "striate/base/index_within.hpp"
 #include "striate/base/user_error.hpp"
 
 namespace striate::agent::pictures {
 namespace {
 
-constexpr int kTile_px = 320;      // px: a view's longer side; three tiles fill the map's width
-constexpr int kTilesInRow = 3;     // as wide as the map below
-constexpr int kMapSide_px = 900;   // px: fits a full HD screen's height
-constexpr int kMapMargin_px = 50;  // px around the map: labels at the border fit
+constexpr int kTile_px = 320;     // px: a view's longer side; three tiles fill the map's width
+constexpr int kTilesInRow = 3;    // as wide as the map below
+constexpr int kMapSide_px = 900;  // px: fits a full HD screen's height
+constexpr int kWidestView_px = 1 << 14;  // px: the largest image that is read
+constexpr int kMapMargin_px = 50;        // px around the map: labels at the border fit
 
 cv::Mat3b draw_view(const memory::StoredView& view) {
   cv::Mat3b image;
   if (!view.image.empty()) image = cv::imdecode(view.image, cv::IMREAD_COLOR);
-  const cv::Size size(static_cast<int>(std::lround(view.width_px)),
-                      static_cast<int>(std::lround(view.height_px)));
-  if (image.empty()) image = cv::Mat3b(size, cv::Vec3b(90, 90, 90));
+  const cv::Size size(round_within(view.width_px, 1, kWidestView_px),
+                      round_within(view.height_px, 1, kWidestView_px));
+  if (image.empty()) image = cv::Mat3b(kTile_px, kTile_px, cv::Vec3b(90, 90, 90));
   const double scale = std::min(static_cast<double>(kTile_px) / size.width,
                                 static_cast<double>(kTile_px) / size.height);
   const cv::Size drawn(std::max(1, static_cast<int>(size.width * scale)),
@@ -35,9 +37,9 @@ cv::Mat3b draw_view(const memory::StoredView& view) {
       tile(cv::Rect({(kTile_px - drawn.width) / 2, (kTile_px - drawn.height) / 2}, drawn));
   fit(image, drawn).copyTo(inner);
   for (const perception::ViewKeypoint& point : view.keypoints) {
-    const cv::Point at(static_cast<int>((point.x_px + 0.5) * scale),
-                       static_cast<int>((point.y_px + 0.5) * scale));
-    const int radius_px = std::clamp(static_cast<int>(point.size_px * scale / 2.0), 2, 60);
+    const cv::Point at(cut_within((point.x_px + 0.5) * scale, -kTile_px, 2 * kTile_px),
+                       cut_within((point.y_px + 0.5) * scale, -kTile_px, 2 * kTile_px));
+    const int radius_px = cut_within(point.size_px * scale / 2.0, 2, 60);
     cv::circle(inner, at, radius_px, kFree, 1, cv::LINE_AA);
   }
   write_label(tile,
@@ -55,8 +57,8 @@ struct Frame {
   cv::Size size;
 
   [[nodiscard]] cv::Point at(double x_m, double y_m) const {
-    return {kMapMargin_px + static_cast<int>(std::lround((x_m - left_m) * px_per_m)),
-            kMapMargin_px + static_cast<int>(std::lround((top_m - y_m) * px_per_m))};
+    return {kMapMargin_px + drawn_px((x_m - left_m) * px_per_m),
+            kMapMargin_px + drawn_px((top_m - y_m) * px_per_m)};
   }
 };
 
@@ -82,8 +84,8 @@ Frame frame_around(const std::vector<memory::Landmark>& landmarks,
   frame.left_m = left->x;
   frame.top_m = high->y;
   frame.px_per_m = (kMapSide_px - 2 * kMapMargin_px) / std::max(width_m, height_m);
-  frame.size = {2 * kMapMargin_px + static_cast<int>(width_m * frame.px_per_m) + 1,
-                2 * kMapMargin_px + std::max(60, static_cast<int>(height_m * frame.px_per_m)) + 1};
+  frame.size = {2 * kMapMargin_px + cut_within(width_m * frame.px_per_m, 0, kMapSide_px) + 1,
+                2 * kMapMargin_px + cut_within(height_m * frame.px_per_m, 60, kMapSide_px) + 1};
   return frame;
 }
 
@@ -106,8 +108,8 @@ void draw_ellipse(cv::Mat3b& map, const Frame& frame, const memory::MapPosition&
   const double spread = std::hypot(half, at.cov_xy_m2);
   const double angle_rad = 0.5 * std::atan2(2.0 * at.cov_xy_m2, at.var_x_m2 - at.var_y_m2);
   const auto axis = [&](double variance) {
-    return std::max(2,
-                    static_cast<int>(2.45 * std::sqrt(std::max(0.0, variance)) * frame.px_per_m));
+    return cut_within(2.45 * std::sqrt(std::max(0.0, variance)) * frame.px_per_m, 2,
+                      2 * kMapSide_px);
   };
   cv::ellipse(map, frame.at(at.x_m, at.y_m), {axis(mean + spread), axis(mean - spread)},
               -angle_rad * 180.0 / std::numbers::pi, 0, 360, kCorridor, 1, cv::LINE_AA);
@@ -155,7 +157,7 @@ cv::Mat3b draw_memory_map(const std::vector<memory::Landmark>& landmarks,
     write_label(map, landmark.name, places[landmark.id] + cv::Point(7, -7), kInk);
   }
   const cv::Point origin(kMapMargin_px, frame.size.height - 16);
-  cv::line(map, origin, origin + cv::Point(static_cast<int>(frame.px_per_m), 0), kInk, 2);
+  cv::line(map, origin, origin + cv::Point(cut_within(frame.px_per_m, 0, kMapSide_px), 0), kInk, 2);
   write(map, "1 m", origin + cv::Point(4, -6), kInk);
   return map;
 }

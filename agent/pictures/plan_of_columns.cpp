@@ -13,6 +13,7 @@ namespace striate::agent::pictures {
 namespace {
 
 constexpr int kFootRoom_px = 26;  // below the axle: the robot and its shadow (ours)
+constexpr int kMostRings = 20;    // ring_for() makes six at most; more are no scale
 constexpr int kFraction = 4;      // bits of sub-pixel that OpenCV draws with
 
 class Plan {
@@ -25,8 +26,8 @@ class Plan {
   /// Robot frame to fixed-point image coordinates.
   [[nodiscard]] cv::Point at(double x, double y) const {
     const double one = 1 << kFraction;
-    return {static_cast<int>(std::lround((foot_.x - y * px_per_unit_) * one)),
-            static_cast<int>(std::lround((foot_.y - x * px_per_unit_) * one))};
+    return {drawn_px((foot_.x - y * px_per_unit_) * one),
+            drawn_px((foot_.y - x * px_per_unit_) * one)};
   }
   [[nodiscard]] cv::Point polar(double bearing_rad, double distance) const {
     return at(distance * std::cos(bearing_rad), distance * std::sin(bearing_rad));
@@ -35,9 +36,7 @@ class Plan {
     const cv::Point p = at(x, y);
     return {p.x >> kFraction, p.y >> kFraction};
   }
-  [[nodiscard]] int pixels(double length) const {
-    return static_cast<int>(std::lround(length * px_per_unit_));
-  }
+  [[nodiscard]] int pixels(double length) const { return drawn_px(length * px_per_unit_); }
 
   cv::Mat3b image;
 
@@ -47,7 +46,9 @@ class Plan {
 };
 
 void draw_rings(Plan& plan, const PlanScale& scale) {
-  for (double r = scale.ring; r < scale.reach + 1e-9; r += scale.ring) {
+  const int rings = cut_within((scale.reach + 1e-9) / scale.ring, 0, kMostRings);
+  for (int k = 1; k <= rings; ++k) {
+    const double r = k * scale.ring;
     cv::circle(plan.image, plan.pixel(0, 0), plan.pixels(r), {62, 58, 55}, 1, cv::LINE_AA);
     const cv::Point top = plan.pixel(r, 0);
     write(plan.image, fmt::format("{:g} {}", r, scale.unit), {top.x + 4, top.y + 13}, kQuietInk,

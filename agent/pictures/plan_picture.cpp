@@ -7,6 +7,7 @@
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
+#include "striate/base/index_within.hpp"
 #include "striate/platform/simulator/static_shapes.hpp"
 
 namespace striate::agent::pictures {
@@ -123,11 +124,11 @@ class Strip {
 
  private:
   [[nodiscard]] static int px(double length_m) {
-    return std::max(2, static_cast<int>(std::lround(length_m * kScale)));
+    return std::max(2, nearest_cell(length_m * kScale));
   }
   [[nodiscard]] cv::Point pixel(Point2 plan) const {
-    return {static_cast<int>(std::lround((plan.x_m - low_x_m_) * kScale)),
-            static_cast<int>(std::lround((high_y_m_ - plan.y_m) * kScale))};
+    return {nearest_cell((plan.x_m - low_x_m_) * kScale),
+            nearest_cell((high_y_m_ - plan.y_m) * kScale)};
   }
   [[nodiscard]] Point2 at(int u, int v) const {
     return {low_x_m_ + u / kScale, high_y_m_ - v / kScale};

@@ -8,6 +8,7 @@
 
 #include "striate/agent/pictures/canvas.hpp"
 #include "striate/agent/pictures/disparity_colours.hpp"
+#include "striate/base/index_within.hpp"
 #include "striate/perception/obstacles/view_geometry.hpp"
 
 namespace striate::agent::pictures {
@@ -131,10 +132,10 @@ cv::Mat3b draw_saliency(const StereoFrame& frame, const perception::Percept& per
   const double scale_v = static_cast<double>(size.height) / saliency.salience.rows;
   int number = 0;
   for (const perception::SalientRegion& r : saliency.regions) {
-    const cv::Rect box(static_cast<int>((r.u_px - 0.5 * r.width_px + 0.5) * scale_u),
-                       static_cast<int>((r.v_px - 0.5 * r.height_px + 0.5) * scale_v),
-                       static_cast<int>(r.width_px * scale_u),
-                       static_cast<int>(r.height_px * scale_v));
+    const cv::Rect box(cut_within((r.u_px - 0.5 * r.width_px + 0.5) * scale_u, 0, out.cols),
+                       cut_within((r.v_px - 0.5 * r.height_px + 0.5) * scale_v, 0, out.rows),
+                       cut_within(r.width_px * scale_u, 0, out.cols),
+                       cut_within(r.height_px * scale_v, 0, out.rows));
     cv::rectangle(out, box, {240, 240, 240}, 1, cv::LINE_AA);
     write_label(out, fmt::format("{}", ++number), {box.x + 2, box.y + 2}, kInk);
   }
