@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "striate/agent/robot_settings.hpp"
+#include "striate/platform/pioneer/pioneer_settings.hpp"
 #include "striate/platform/served/robot_server.hpp"
 #include "striate/platform/simulator/render/renderer_images.hpp"
 #include "striate/platform/simulator/world_reader.hpp"
@@ -116,6 +117,10 @@ class LateMission {
     }
   }
 
+  /// Where the devices are, behind their relays.
+  [[nodiscard]] pioneer::DevicePlaces places() const {
+    return {base_.url(), turret_.url(), laser_.url(), camera_.url()};
+  }
   void start() {
     const std::string file = folder_ / "robot.yaml";
     std::ofstream(file) << "pioneer:\n  devices:\n    base: " << base_.url()
