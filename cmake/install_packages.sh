@@ -1,10 +1,15 @@
 #!/usr/bin/env bash
-# Installs the Debian packages of packages.txt that are missing, and with --ros those of
-# packages_ros.txt; asks for nothing where none is.
+# Installs the Debian packages of packages.txt that are missing, with --ros those of packages_ros.txt and
+# with --arm64 those of packages_arm64.txt, too; asks for nothing where none is.
 set -euo pipefail
 folder="$(dirname "${BASH_SOURCE[0]}")"
 lists=("$folder/packages.txt")
-[ "${1:-}" = --ros ] && lists+=("$folder/packages_ros.txt")
+for option in "$@"; do
+  case "$option" in
+    --ros | --arm64) lists+=("$folder/packages_${option#--}.txt") ;;
+    *) echo "usage: install_packages.sh [--ros] [--arm64]" >&2; exit 2 ;;
+  esac
+done
 
 missing=()
 while read -r package; do
