@@ -13,9 +13,11 @@
 #include "striate/agent/pictures/overview.hpp"
 #include "striate/app/perceive_files.hpp"
 #include "striate/base/files.hpp"
+#include "striate/base/index_within.hpp"
 #include "striate/base/user_error.hpp"
 #include "striate/evaluation/images/read_image.hpp"
 #include "striate/perception/perception.hpp"
+#include "striate/platform/interface/plausible.hpp"
 
 namespace striate::app {
 namespace {
@@ -48,6 +50,19 @@ int candidates_for(const PerceiveOptions& o) {
   return std::clamp(150 * o.width_px / 160, 1, 256);
 }
 
+/// Without a focal length nothing is said of the camera, and it is taken for one that can be.
+std::string why_unusable(const PerceiveOptions& o, const StereoFrame& given) {
+  StereoFrame frame = given;
+  RobotDescription robot;
+  if (frame.focal_px <= 0.0) {
+    frame.focal_px = frame.left.cols;
+    frame.baseline_m = 1.0;
+  }
+  robot.camera_height_m = o.camera_height_m.value_or(robot.camera_height_m);
+  const std::string why = why_implausible(frame);
+  return why.empty() ? why_implausible(robot) : why;
+}
+
 StereoFrame read_pair(const PerceiveOptions& o) {
   StereoFrame frame;
   frame.left = evaluation::read_any_image(o.left);
@@ -63,6 +78,12 @@ StereoFrame read_pair(const PerceiveOptions& o) {
   frame.centre_u_px = o.centre_u_px.value_or(0.5 * (frame.left.cols - 1));
   frame.centre_v_px = o.centre_v_px.value_or(0.5 * (frame.left.rows - 1));
   frame.head.tilt_rad = radians(o.tilt_deg);
+  if (const std::string why = why_unusable(o, frame); !why.empty()) {
+    throw UserError(
+        fmt::format("{}: {}\n    check --focal-px, --baseline-m, --centre-u-px, "
+                    "--centre-v-px, --camera-height-m and --tilt-deg",
+                    o.left.string(), why));
+  }
   return frame;
 }
 
@@ -86,7 +107,7 @@ double split_near_from_far(const cv::Mat1f& disparity_px) {
   double sum = 0.0;
   for (const float d : disparity_px) {
     if (!std::isfinite(d)) continue;
-    const int bin = std::min(kBins - 1, static_cast<int>(d / kBin_px));
+    const int bin = cut_within(d / kBin_px, 0, kBins - 1);
     histogram[bin] += 1.0;
     total += 1.0;
     sum += bin;

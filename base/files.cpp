@@ -48,6 +48,14 @@ void write_to_device(const fs::path& path, const std::string& content) {
 }  // namespace
 
 std::string read_file(const std::string& path) {
+  std::error_code none;
+  // A pipe may never say anything, and a device never end.
+  if (fs::exists(path, none) && !fs::is_regular_file(path, none)) {
+    throw UserError(
+        fmt::format("{}: is no file\n    give the file itself, not a folder, a pipe or "
+                    "a device",
+                    path));
+  }
   std::ifstream stream(path, std::ios::binary);
   std::stringstream text;
   text << stream.rdbuf();

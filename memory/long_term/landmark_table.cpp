@@ -30,7 +30,7 @@ Landmark read(const StatementUse& row) {
                      row.column(8).getDouble()};
   }
   mark.strength = row.column(9).getDouble();
-  mark.history.uses = row.column(10).getInt64();
+  mark.history.uses = row.count(10);
   mark.history.first_s = row.column(11).getDouble();
   mark.history.recent_s = parse_uses(row.column(12).getString());
   mark.pinned = row.column(13).getInt() != 0;

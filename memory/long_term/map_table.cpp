@@ -36,8 +36,7 @@ std::vector<Route> MapTable::routes() {
   while (use.next()) {
     routes.push_back({use.column(0).getInt64(), use.column(1).getInt64(), use.column(2).getDouble(),
                       use.column(3).getDouble(), use.column(4).getDouble(),
-                      use.column(5).getDouble(), use.column(6).getInt64(),
-                      use.column(7).getInt64()});
+                      use.column(5).getDouble(), use.count(6), use.count(7)});
   }
   return routes;
 }

@@ -8,6 +8,7 @@
 #include <set>
 #include <unordered_map>
 
+#include "striate/base/index_within.hpp"
 #include "striate/memory/long_term/map_alignment.hpp"
 #include "striate/memory/long_term/teaching.hpp"
 
@@ -145,16 +146,16 @@ class Merger {
   std::optional<Landmark> find_alike(const std::vector<StoredView>& views) {
     Agreement best;
     std::int64_t whose = 0;
-    tables_.views.for_each([&](const StoredView& ours) {
-      // What came from the other memory a moment ago was told apart there by a person.
-      if (ours.id > last_view_) return;
+    // What came from the other memory a moment ago was told apart there by a person.
+    const auto compare = [&](const StoredView& ours) {
       for (const StoredView& view : views) {
         const Agreement now = comparer_.compare(view, ours);
         if (now.inliers <= best.inliers || now.share < settings_.alike_share) continue;
         best = now;
         whose = ours.landmark;
       }
-    });
+    };
+    tables_.views.for_each(compare, last_view_);
     if (best.inliers < settings_.alike_inliers) return std::nullopt;
     for (const Landmark& landmark : tables_.landmarks.all(false)) {
       if (landmark.id == whose) return landmark;
@@ -252,8 +253,8 @@ class Merger {
   static void move(ObstacleCell& cell, const Pose2& origin) {
     const Point2 middle = transform(
         origin, Point2{(cell.column + 0.5) * kObstacleCell_m, (cell.row + 0.5) * kObstacleCell_m});
-    cell.column = static_cast<int>(std::floor(middle.x_m / kObstacleCell_m));
-    cell.row = static_cast<int>(std::floor(middle.y_m / kObstacleCell_m));
+    cell.column = cell_below(middle.x_m / kObstacleCell_m);
+    cell.row = cell_below(middle.y_m / kObstacleCell_m);
   }
 
   void say_what_is_left_out(const std::vector<ObstacleCell>& cells) {

@@ -2,6 +2,8 @@
 
 #include <SQLiteCpp/Statement.h>
 
+#include <algorithm>
+#include <cstdint>
 #include <optional>
 
 namespace striate::memory {
@@ -44,6 +46,11 @@ class StatementUse {
   int run() { return statement_.exec(); }
   [[nodiscard]] bool next() { return statement_.executeStep(); }
   [[nodiscard]] SQLite::Column column(int index) const { return statement_.getColumn(index); }
+  /// How often something was: whatever the file says, what can be added to others and counted on.
+  [[nodiscard]] std::int64_t count(int index) const {
+    constexpr std::int64_t kMost = 1'000'000'000'000;  // by hand: once a second for 30 000 years
+    return std::clamp<std::int64_t>(statement_.getColumn(index).getInt64(), 0, kMost);
+  }
   [[nodiscard]] std::optional<double> maybe(int index) const {
     const SQLite::Column value = statement_.getColumn(index);
     return value.isNull() ? std::nullopt : std::optional<double>(value.getDouble());

@@ -24,7 +24,7 @@ ViewTable::ViewTable(SQLite::Database& database)
                         "WHERE v.landmark = ? ORDER BY v.id"),
       each_(database, "SELECT " + kColumns +
                           " FROM landmark_view v CROSS JOIN landmark l ON l.id = v.landmark "
-                          "WHERE l.retired_s IS NULL ORDER BY v.id"),
+                          "WHERE l.retired_s IS NULL AND v.id <= ? ORDER BY v.id"),
       remove_(database, "DELETE FROM landmark_view WHERE id = ?"),
       count_of_session_(database, "SELECT count(*) FROM landmark_view WHERE session = ?"),
       remove_of_session_(database, "DELETE FROM landmark_view WHERE session = ?"),
@@ -85,8 +85,9 @@ std::vector<StoredView> ViewTable::of(std::int64_t landmark) {
   return views;
 }
 
-void ViewTable::for_each(const std::function<void(const StoredView&)>& take) {
+void ViewTable::for_each(const std::function<void(const StoredView&)>& take, std::int64_t last) {
   StatementUse use(each_);
+  use.with(last);
   StoredView view;
   while (use.next()) {
     read(use, view, false);

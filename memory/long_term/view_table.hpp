@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <vector>
 
 #include "striate/memory/long_term/records.hpp"
@@ -25,7 +26,9 @@ class ViewTable {
   [[nodiscard]] std::vector<StoredView> of(std::int64_t landmark);
   /// Hands every view of every landmark that is not retired to `take`, without its image, in the
   /// order of the file. The view is reused for the next one. Damaged ones are handed over too.
-  void for_each(const std::function<void(const StoredView&)>& take);
+  /// @param last none with a higher number
+  void for_each(const std::function<void(const StoredView&)>& take,
+                std::int64_t last = std::numeric_limits<std::int64_t>::max());
   void remove(std::int64_t id);
   /// @return how many views a session added and are still there.
   [[nodiscard]] int count_of_session(std::int64_t session);

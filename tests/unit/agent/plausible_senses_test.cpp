@@ -15,11 +15,25 @@ namespace {
 
 using testing::HasSubstr;
 
+/// A textured wall 6 m away, as one eye sees it.
+cv::Mat3b wall_seen(int shift_px) {
+  cv::Mat3b image(120, 160);
+  for (int v = 0; v < image.rows; ++v) {
+    for (int u = 0; u < image.cols; ++u) {
+      std::uint32_t x = static_cast<std::uint32_t>((u + shift_px) / 3) * 2654435761U +
+                        static_cast<std::uint32_t>(v / 3) * 40503U;
+      x = (x ^ (x >> 15U)) * 0x2C1B3C6DU;
+      image(v, u) = cv::Vec3b::all(static_cast<std::uint8_t>(40 + (x >> 16U) % 180));
+    }
+  }
+  return image;
+}
+
 StereoFrame seen_frame(TimePoint stamp) {
   StereoFrame frame;
   frame.stamp = stamp;
-  frame.left = cv::Mat3b(120, 160, cv::Vec3b(90, 90, 90));
-  frame.right = frame.left.clone();
+  frame.left = wall_seen(0);
+  frame.right = wall_seen(4);
   frame.focal_px = 203.0;
   frame.centre_u_px = 79.5;
   frame.centre_v_px = 59.5;

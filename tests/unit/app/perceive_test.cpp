@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstring>
 #include <fstream>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
@@ -189,6 +190,41 @@ TEST_F(Perceive, RefusesImpossibleOptions) {
   std::ofstream(folder_ / "file") << "x";
   options_.out = folder_ / "file";
   EXPECT_THAT(error(), testing::HasSubstr("--out"));
+}
+
+TEST_F(Perceive, AWideCameraThatLooksDownIsSeenThrough) {
+  write_pair(24, 8);
+  options_.focal_px = 71.0;  // 132 degrees
+  options_.baseline_m = 0.12;
+  options_.camera_height_m = 1.0;
+  for (const double tilt_deg : {-30.0, -60.0, 60.0}) {
+    options_.tilt_deg = tilt_deg;
+    EXPECT_EQ(perceive(options_), 0) << tilt_deg;
+  }
+}
+
+TEST_F(Perceive, ACameraThatCannotBeIsRefusedWithTheOptionsThatSayIt) {
+  write_pair(24, 8);
+  options_.focal_px = 400.0;
+  options_.baseline_m = 0.12;
+  options_.camera_height_m = 1.0;
+  const PerceiveOptions good = options_;
+  const double none = std::nan("");
+  const std::vector<std::pair<const char*, std::function<void(PerceiveOptions&)>>> changes = {
+      {"focal length is 2 px", [](auto& o) { o.focal_px = 2.0; }},
+      {"focal length is 4e+06 px", [](auto& o) { o.focal_px = 4e6; }},
+      {"focal length", [](auto& o) { o.focal_px = 1e300; }},
+      {"distance of its eyes", [](auto& o) { o.baseline_m = 1e9; }},
+      {"principal point, u", [](auto& o) { o.centre_u_px = -1e9; }},
+      {"principal point, v", [=](auto& o) { o.centre_v_px = none; }},
+      {"camera's height", [](auto& o) { o.camera_height_m = 1e-9; }},
+      {"head's tilt", [](auto& o) { o.tilt_deg = 170.0; }}};
+  for (const auto& [what, change] : changes) {
+    options_ = good;
+    change(options_);
+    EXPECT_THAT(error(), testing::AllOf(testing::HasSubstr(what), testing::HasSubstr("--focal-px")))
+        << what;
+  }
 }
 
 }  // namespace
