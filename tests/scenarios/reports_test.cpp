@@ -31,8 +31,7 @@ void expect_success(const nlohmann::json& result, const std::string& words) {
 }
 
 TEST(Reports, AStandardErrorThatCannotBeWrittenEndsNoMission) {
-  for (const std::string where :
-       {"2> /dev/full", "2>&-", "2>&1 > /dev/null | head -n 1 > /dev/null"}) {
+  for (const std::string where : {"2> /dev/full", "2>&-", "2>&1 > /dev/null | true"}) {
     const std::string words =
         kRun + std::string("--result $r ") + where + "; exit ${PIPESTATUS[0]}";
     Ended ended;

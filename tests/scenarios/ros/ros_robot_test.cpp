@@ -88,7 +88,7 @@ class Ear {
   }
   /// Seconds until the next zero that comes.
   double until_zero_s(double limit_s) {
-    queue_.clear();
+    queue_.callAvailable();  // what was said before
     zero_ = false;
     const auto begin = Steady::now();
     const auto since_s = [&] {
