@@ -88,7 +88,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     robot.keep_settings_in_their_ranges();
     robot.sent.focal_px = 0.5 * pair.left.cols / std::tan(0.5 * robot.camera.field_rad);
   }
-  pioneer::ImageLine line(robot.camera);
+  pioneer::StreamDevice line(robot.camera);
+  line.line_up(TimePoint(std::chrono::milliseconds(100)));
   perception::Perception perception({}, robot.body);
   memory::ShortTermMemory memory({}, robot.body);
   behaviours::SafetyLimiter limiter({}, robot.body);
@@ -102,6 +103,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     }
     senses.now = TimePoint(std::chrono::milliseconds(100 * number));
     StereoFrame frame = robot.sent;
+    frame.stamp = senses.now;
     // As the wire can carry them; what is odd is for the receiving side.
     for (double* value : {&frame.focal_px, &frame.centre_u_px, &frame.centre_v_px}) {
       *value = std::isfinite(*value) ? std::clamp(*value, 0.0, 4.29e6) : 4.29e6;
