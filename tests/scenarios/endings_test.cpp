@@ -118,9 +118,9 @@ INSTANTIATE_TEST_SUITE_P(
                     Ending{"Abrt", SIGABRT, -1}, Ending{"Bus", SIGBUS, -1},
                     Ending{"Fpe", SIGFPE, -1}, Ending{"Ill", SIGILL, -1}, Ending{"Sys", SIGSYS, -1},
                     Ending{"Kill", SIGKILL, -1}, Ending{"Stop", SIGSTOP, -1},
-                    Ending{"Tstp", SIGTSTP, -1}, Ending{"IntPty", SIGINT, 130, true},
-                    Ending{"HupPty", SIGHUP, 130, true}, Ending{"SegvPty", SIGSEGV, -1, true},
-                    Ending{"KillPty", SIGKILL, -1, true}, Ending{"StopPty", SIGSTOP, -1, true}),
+                    Ending{"IntPty", SIGINT, 130, true}, Ending{"HupPty", SIGHUP, 130, true},
+                    Ending{"SegvPty", SIGSEGV, -1, true}, Ending{"KillPty", SIGKILL, -1, true},
+                    Ending{"StopPty", SIGSTOP, -1, true}),
     [](const auto& ending) { return std::string(ending.param.name); });
 
 TEST(Endings, ASecondCtrlCStillClosesAndAThirdKillsButTheRobotBrakes) {

@@ -135,7 +135,9 @@ TEST(ServedPioneer, AClientThatIsKilledWithItsKeeperIsStoppedByTheWatchdog) {
 TEST(ServedPioneer, AMindWhoseKeeperDiesIsToldAtOnce) {
   const Served served;
   pioneer::PioneerRobot robot({}, served.url());
-  kill(keeper_of(getpid()), SIGKILL);
+  const pid_t keeper = keeper_of(getpid());
+  ASSERT_GT(keeper, 0);
+  kill(keeper, SIGKILL);
   Senses senses;
   EXPECT_THROW(
       {

@@ -170,7 +170,7 @@ KeptLine::KeptLine(int robot) {
   std::array<int, 2> line{-1, -1};
   std::array<int, 2> word{-1, -1};
   if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, line.data()) != 0 ||
-      pipe2(word.data(), O_CLOEXEC | O_NONBLOCK) != 0) {
+      socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0, word.data()) != 0) {
     const int error = errno;
     for (const int file : {line[0], line[1], robot}) close(file);
     throw std::system_error(error, std::generic_category(), "the keeper of the line");
@@ -182,12 +182,12 @@ KeptLine::KeptLine(int robot) {
   pthread_sigmask(SIG_SETMASK, &all, &before);
   LineKeeper keeper;
   keeper_ = fork();
-  if (keeper_ == 0) keep(keeper, {line[1], word[0], robot});
+  if (keeper_ == 0) keep(keeper, {line[1], word[1], robot});
   const int error = errno;
   pthread_sigmask(SIG_SETMASK, &before, nullptr);
-  for (const int file : {line[1], word[0], robot}) close(file);
+  for (const int file : {line[1], word[1], robot}) close(file);
   end_ = line[0];
-  word_ = word[1];
+  word_ = word[0];
   if (keeper_ > 0) return;
   close(end_);
   close(word_);
@@ -206,7 +206,7 @@ int KeptLine::release_end() {
 
 void KeptLine::let_go(const std::function<void()>& close_end) {
   const std::uint8_t any = 1;
-  (void)!write(word_, &any, 1);
+  (void)!send(word_, &any, 1, MSG_NOSIGNAL);  // the keeper may be dead
   close_end();
   if (keeper_ < 0) return;
   const auto end = std::chrono::steady_clock::now() + kKeeperIsGone;

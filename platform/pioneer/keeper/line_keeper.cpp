@@ -16,8 +16,9 @@ namespace {
 constexpr Duration kStopAgain = std::chrono::milliseconds(100);
 /// A SIP cycle of 100 ms and the bytes of a stop at 9600 baud: what a robot said before is old
 constexpr Duration kStopFelt = std::chrono::milliseconds(150);
-/// As long as the robot's own watchdog waits. A mind that is silent for longer has lost its robot
-constexpr Duration kMindPatience = std::chrono::milliseconds(2000);
+/// By hand: a person who has stopped a program, or closed a notebook, is back by then; the robot
+/// stands and holds until it is reset. After that it is let go, with its motors off
+constexpr Duration kMindPatience = std::chrono::minutes(10);
 /// The slowest braking that may be set, 0.05 m/s2, takes longer; or the robot cannot be heard
 constexpr Duration kLongestStop = std::chrono::milliseconds(10000);
 /// ARIA's pause between ENABLE 0 and CLOSE

@@ -38,6 +38,7 @@ TEST_F(ThroughRos, TheSimulatedPioneerIsFeltAndDrivenAndStandsWhenTheCommandsEnd
   EXPECT_LT(stop_s, 2.5) << "the lease of 0.5 s, braking from 0.3 m/s, and a loaded machine";
   EXPECT_EQ(robot.hold(), "no fresh command");
 
+  robot.reset();  // nothing was commanded in the midst of motion
   server->kill(SIGKILL);
   robot.send(forward);
   EXPECT_THROW(until(robot, senses, 10.0,

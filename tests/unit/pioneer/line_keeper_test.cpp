@@ -121,7 +121,10 @@ TEST(LineKeeper, ClosesTheSessionOfAMindThatStaysSilent) {
   KeptBed bed;
   bed.drive_at(0.65);
   bed.mind_runs = false;
-  bed.run(6.0);
+  bed.run(35.0);
+  EXPECT_TRUE(bed.firmware.connected()) << "somebody may have stopped it, and lets it go on";
+  EXPECT_TRUE(bed.firmware.commanded_to_stand());
+  bed.run(570.0);
   EXPECT_TRUE(bed.keeper.mind_is_shut_out());
   EXPECT_TRUE(bed.keeper.done());
   EXPECT_FALSE(bed.firmware.connected());
