@@ -1,7 +1,6 @@
 #include "striate/platform/pioneer/session.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace striate::pioneer {
 
@@ -17,13 +16,19 @@ constexpr Duration kConfigPatience = std::chrono::milliseconds(1000);
 /// Five SIP cycles without one: OPEN was lost
 constexpr Duration kOpenAgain = std::chrono::milliseconds(500);
 
-/// 0 in a CONFIGpac means that the firmware does not say.
-double least_told(double limit, std::uint16_t told) {
-  return told == 0 ? limit : std::min(limit, static_cast<double>(told));
-}
-
-int rounded(double value) {
-  return static_cast<int>(std::lround(value));
+/// What the controller answers to each.
+Command command_of(RoundTrip::Question question) {
+  switch (question) {
+    case RoundTrip::Question::encoders:
+      return Command::encoder;
+    case RoundTrip::Question::joystick:
+      return Command::joystick_info;
+    case RoundTrip::Question::io:
+      return Command::io_request;
+    case RoundTrip::Question::config:
+      break;
+  }
+  return Command::config;
 }
 
 }  // namespace
@@ -100,82 +105,6 @@ void ArcosSession::receive(ByteView bytes, TimePoint now) {
   incomplete_since_ = began;
 }
 
-void ArcosSession::handle(const arcos::Packet& packet, TimePoint now) {
-  last_packet_ = std::max(last_packet_, now);
-  switch (state_) {
-    case LinkState::syncing:
-      handle_syncing(packet, now);
-      return;
-    case LinkState::opening:
-    case LinkState::configuring:
-    case LinkState::ready:
-      handle_open(packet, now);
-      return;
-    default:
-      return;
-  }
-}
-
-void ArcosSession::handle_open(const arcos::Packet& packet, TimePoint now) {
-  if (arcos::is_sip(packet)) {
-    take_sip(packet, now);
-    return;
-  }
-  if (packet.id == arcos::Encoders::kId) {
-    round_trip_.answered(RoundTrip::Question::encoders, now);
-    return;
-  }
-  if (packet.id == arcos::IoPac::kId) {
-    round_trip_.answered(RoundTrip::Question::io, now);
-    return;
-  }
-  if (packet.id == arcos::ConfigPac::kId) {
-    round_trip_.answered(RoundTrip::Question::config, now);
-    config_ = arcos::read_config_pac(packet);
-    if (config_) {
-      tracker_.use_bumpers(config_->front_bumpers != 0, config_->rear_bumpers != 0);
-      if (state_ == LinkState::configuring) get_ready(now);
-      return;
-    }
-  } else if (packet.id == arcos::Joystick::kId) {
-    if (const auto joystick = arcos::read_joystick(packet)) {
-      round_trip_.answered(RoundTrip::Question::joystick, now);
-      tracker_.take_joystick(joystick->button1);
-      return;
-    }
-  } else if (packet.id == arcos::SimLaser::kId) {
-    if (const auto part = arcos::read_sim_laser(packet)) {
-      if (sweep_.take(*part)) tracker_.take_laser(sweep_.ranges_mm(), now);
-      return;
-    }
-  } else if (packet.id == arcos::SimStat::kId) {
-    true_pose_ = arcos::read_sim_stat(packet);
-    if (true_pose_) return;
-  } else {
-    ++counters_.unknown;
-    counters_.last_unknown_id = packet.id;
-    return;
-  }
-  ++counters_.malformed;
-  counters_.last_malformed_id = packet.id;
-}
-
-void ArcosSession::take_sip(const arcos::Packet& packet, TimePoint now) {
-  const auto sip = arcos::read_sip(packet);
-  if (!sip) {
-    ++counters_.malformed;
-    counters_.last_malformed_id = packet.id;
-    return;
-  }
-  ++counters_.sips;
-  tracker_.take(*sip, now);
-  if (state_ != LinkState::opening) return;
-  state_ = LinkState::configuring;
-  state_since_ = now;
-  round_trip_.begin(now);
-  ask_for_config(now);
-}
-
 void ArcosSession::ask_for_config(TimePoint now) {
   send(command(Command::config, 1));
   round_trip_.asked(RoundTrip::Question::config, now);
@@ -184,22 +113,7 @@ void ArcosSession::ask_for_config(TimePoint now) {
 
 void ArcosSession::measure_the_line(TimePoint now) {
   if (!settings_.echo) return;
-  const auto question = round_trip_.asks(now);
-  if (!question) return;
-  switch (*question) {
-    case RoundTrip::Question::encoders:
-      send(command(Command::encoder, 1));
-      return;
-    case RoundTrip::Question::joystick:
-      send(command(Command::joystick_info, 1));
-      return;
-    case RoundTrip::Question::io:
-      send(command(Command::io_request, 1));
-      return;
-    case RoundTrip::Question::config:
-      send(command(Command::config, 1));
-      return;
-  }
+  if (const auto question = round_trip_.asks(now)) send(command(command_of(*question), 1));
 }
 
 void ArcosSession::get_ready(TimePoint now) {
@@ -221,36 +135,8 @@ void ArcosSession::ask_for_laser() {
   send(command(Command::laser_mode, 2));
 }
 
-double ArcosSession::most_forward_mm_s() const {
-  const double most = std::min(1000.0 * settings_.most_forward_m_s, model_.most_forward_mm_s);
-  return config_ ? least_told(most, config_->velocity_top_mm_s) : most;
-}
-
-double ArcosSession::most_turn_deg_s() const {
-  const double most = std::min(degrees(settings_.most_turn_rad_s), model_.most_turn_deg_s);
-  return config_ ? least_told(most, config_->rotation_top_deg_s) : most;
-}
-
-double ArcosSession::deceleration_mm_s2() const {
-  const double wanted = 1000.0 * settings_.acceleration_m_s2;
-  return config_ ? least_told(wanted, config_->acceleration_top_mm_s2) : wanted;
-}
-
 TimePoint ArcosSession::last_state() const {
   return std::max(state_since_, base().stamp);
-}
-
-void ArcosSession::tell_limits() {
-  const double acceleration = deceleration_mm_s2();
-  double turn = degrees(settings_.turn_acceleration_rad_s2);
-  if (config_) turn = least_told(turn, config_->rotation_acceleration_top_deg_s2);
-  send(command(Command::set_velocity, rounded(most_forward_mm_s())));
-  send(command(Command::set_acceleration, rounded(acceleration)));
-  send(command(Command::set_acceleration, -rounded(acceleration)));
-  send(command(Command::set_rotation, rounded(most_turn_deg_s())));
-  send(command(Command::set_rotation_acceleration, rounded(turn)));
-  send(command(Command::set_rotation_acceleration, -rounded(turn)));
-  send(command(Command::joystick_drive, settings_.joystick_may_drive ? 1 : 0));
 }
 
 void ArcosSession::tick(TimePoint now) {

@@ -6,11 +6,10 @@
 
 #include "striate/platform/pioneer/firmware/lms_device.hpp"
 #include "tests/reference/captures.hpp"
+#include "tests/unit/pioneer/late_scans.hpp"
 
 namespace striate::pioneer {
 namespace {
-
-using namespace std::chrono_literals;
 
 /// Driver and device on one line, in steps of 10 ms of virtual time.
 struct Bed {
@@ -66,32 +65,11 @@ TEST(LmsDriver, AStaleScanIsNoneAndTheLaserIsSetUpAgainWhenItComesBack) {
 }
 
 TEST(LmsDriver, AScanThatWasLongUnderWayIsOld) {
-  for (const Duration late : {Duration(300ms), Duration(800ms), Duration(3s)}) {
-    Bed bed;
-    bed.run(1.0);
-    ASSERT_TRUE(bed.driver.scanning(bed.now));
-    bed.late = late;
-    for (int i = 0; i < 1500; ++i) {
-      bed.run(0.01);
-      const RangeScan scan = bed.driver.scan(bed.now);
-      if (scan.readings.empty() || bed.now < TimePoint(6s) + late) continue;
-      ASSERT_GE(bed.now - scan.stamp, late) << i;
-    }
-    EXPECT_EQ(bed.driver.scanning(bed.now), late < 500ms);
-  }
+  expect_a_delay_that_begins_is_found<Bed>();
 }
 
 TEST(LmsDriver, ALaserThatIsLateFromTheBeginningIsNotTakenForAFreshOne) {
-  for (Duration late = 260ms; late < 3200ms; late += 70ms) {
-    Bed bed;
-    bed.late = late;
-    for (int i = 0; i < 2000; ++i) {
-      bed.run(0.01);
-      const RangeScan scan = bed.driver.scan(bed.now);
-      if (scan.readings.empty()) continue;
-      ASSERT_GE(bed.now - scan.stamp, late) << to_seconds(late);
-    }
-  }
+  expect_a_delay_from_the_beginning_is_found<Bed>();
 }
 
 TEST(LmsDriver, ScansWithAWrongCrcAreNotTaken) {
