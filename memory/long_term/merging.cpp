@@ -10,6 +10,7 @@
 
 #include "striate/base/index_within.hpp"
 #include "striate/memory/long_term/map_alignment.hpp"
+#include "striate/memory/long_term/merged_sessions.hpp"
 #include "striate/memory/long_term/teaching.hpp"
 
 namespace striate::memory {
@@ -29,7 +30,7 @@ class Merger {
   }
 
   Merged run() {
-    take_sessions();
+    merged_.sessions = sessions_.take(tables_.sessions, other_.sessions);
     for (const Landmark& landmark : other_.landmarks.all(true)) take(landmark);
     take_routes();
     take_map();
@@ -38,61 +39,6 @@ class Merger {
   }
 
  private:
-  /// The sessions of what was merged before are here already, and what belongs to them is known.
-  /// The other's operating time goes on where ours has ended.
-  void take_sessions() {
-    theirs_ = other_.sessions.all();
-    std::reverse(theirs_.begin(), theirs_.end());
-    std::vector<Session> ours = tables_.sessions.all();
-    std::reverse(ours.begin(), ours.end());
-    for (const Session& session : theirs_) {
-      const auto same = std::find_if(ours.begin(), ours.end(), [&](const Session& one) {
-        return one.started_unix_s == session.started_unix_s && one.software == session.software &&
-               one.settings == session.settings;
-      });
-      if (same == ours.end()) continue;
-      known_before_[session.id] = same->operating_start_s - session.operating_start_s;
-      sessions_[session.id] = same->id;
-      ours.erase(same);
-    }
-    const double now_s = ours_now_s();
-    for (Session session : theirs_) {
-      if (known_before_.contains(session.id)) continue;
-      if (merged_.sessions == 0) shift_s_ = now_s - session.operating_start_s;
-      ++merged_.sessions;
-      if (session.state == SessionState::open) session.state = SessionState::closed;
-      // Not taught here: undoing the last teaching must not reach it.
-      if (session.kind == SessionKind::teach) session.kind = SessionKind::import;
-      const std::int64_t id = session.id;
-      session.operating_start_s += shift_s_;
-      sessions_[id] = tables_.sessions.adopt(session);
-    }
-  }
-
-  double ours_now_s() {
-    return tables_.sessions.all().empty() ? 0.0 : tables_.sessions.operating_now_s();
-  }
-
-  /// Whether it happened in a session that came in now. Without sessions, all is taken for new.
-  [[nodiscard]] bool is_new(double their_time_s) const {
-    const Session* session = session_at(their_time_s);
-    return session == nullptr || !known_before_.contains(session->id);
-  }
-
-  [[nodiscard]] const Session* session_at(double their_time_s) const {
-    const Session* at = theirs_.empty() ? nullptr : &theirs_.front();
-    for (const Session& session : theirs_) {
-      if (session.operating_start_s <= their_time_s) at = &session;
-    }
-    return at;
-  }
-
-  [[nodiscard]] double our_time_s(double their_time_s) const {
-    const Session* session = session_at(their_time_s);
-    const auto known = session == nullptr ? known_before_.end() : known_before_.find(session->id);
-    return their_time_s + (known == known_before_.end() ? shift_s_ : known->second);
-  }
-
   void take(const Landmark& landmark) {
     const std::vector<StoredView> views = other_.views.of(landmark.id);
     std::optional<Landmark> same = tables_.landmarks.find(landmark.name);
@@ -108,13 +54,13 @@ class Merger {
         same && static_cast<int>(tables_.views.of(same->id).size()) >= settings_.most_views;
     for (StoredView view : views) {
       // It had its chance when that session was merged: now it would only push others out again.
-      if (full && known_before_.contains(view.session)) continue;
+      if (full && sessions_.was_known(view.session)) continue;
       if (view.damaged) {
         ++merged_.damaged;
         continue;
       }
       view.landmark = landmarks_[landmark.id];
-      view.session = sessions_[view.session];
+      view.session = sessions_.ours(view.session);
       if (!same) {
         tables_.views.add(view);
         ++merged_.views;
@@ -164,7 +110,7 @@ class Merger {
   }
 
   std::int64_t add(Landmark landmark) {
-    landmark.session = sessions_[landmark.session];
+    landmark.session = sessions_.ours(landmark.session);
     if (landmark.position && has_map_) to_place_.push_back({landmark.name, *landmark.position});
     if (has_map_) landmark.position.reset();
     shift(landmark);
@@ -198,21 +144,22 @@ class Merger {
   void join_histories(UseHistory& ours, const UseHistory& theirs) const {
     std::int64_t new_uses = 0;
     for (const double time_s : theirs.recent_s) {
-      if (!is_new(time_s)) continue;
+      if (!sessions_.is_new(time_s)) continue;
       ++new_uses;
-      ours.recent_s.push_back(our_time_s(time_s));
+      ours.recent_s.push_back(sessions_.our_time_s(time_s));
     }
     std::sort(ours.recent_s.begin(), ours.recent_s.end(), std::greater<>());
     if (ours.recent_s.size() > UseHistory::kKept) ours.recent_s.resize(UseHistory::kKept);
     // Of memories that have met before, only the uses whose time is known can be told apart.
-    ours.uses += known_before_.empty() ? theirs.uses : new_uses;
-    if (known_before_.empty()) ours.first_s = std::min(ours.first_s, our_time_s(theirs.first_s));
+    ours.uses += sessions_.strangers() ? theirs.uses : new_uses;
+    if (sessions_.strangers())
+      ours.first_s = std::min(ours.first_s, sessions_.our_time_s(theirs.first_s));
   }
 
   void shift(Landmark& landmark) const {
-    landmark.history.first_s = our_time_s(landmark.history.first_s);
-    for (double& time_s : landmark.history.recent_s) time_s = our_time_s(time_s);
-    if (landmark.retired_s) landmark.retired_s = our_time_s(*landmark.retired_s);
+    landmark.history.first_s = sessions_.our_time_s(landmark.history.first_s);
+    for (double& time_s : landmark.history.recent_s) time_s = sessions_.our_time_s(time_s);
+    if (landmark.retired_s) landmark.retired_s = sessions_.our_time_s(*landmark.retired_s);
   }
 
   void take_routes() {
@@ -245,7 +192,7 @@ class Merger {
     for (ObstacleCell& cell : cells) {
       if (has_map_) move(cell, origin);
       if (ours.contains({cell.row, cell.column})) continue;
-      cell.seen_s = our_time_s(cell.seen_s);
+      cell.seen_s = sessions_.our_time_s(cell.seen_s);
       tables_.places.put(cell);
     }
   }
@@ -270,7 +217,7 @@ class Merger {
       if (ours.from != theirs.from || ours.to != theirs.to) continue;
       Route joined = theirs.distance_var_m2 < ours.distance_var_m2 ? theirs : ours;
       // Of memories that have met before, some drives are in both counts.
-      const bool strangers = known_before_.empty();
+      const bool strangers = sessions_.strangers();
       joined.successes = strangers ? ours.successes + theirs.successes
                                    : std::max(ours.successes, theirs.successes);
       joined.failures =
@@ -285,10 +232,10 @@ class Merger {
     std::reverse(episodes.begin(), episodes.end());
     for (Episode episode : episodes) {
       const bool known =
-          episode.session ? known_before_.contains(*episode.session) : !known_before_.empty();
+          episode.session ? sessions_.was_known(*episode.session) : !sessions_.strangers();
       if (known) continue;
-      episode.time_s = our_time_s(episode.time_s);
-      if (episode.session) episode.session = sessions_[*episode.session];
+      episode.time_s = sessions_.our_time_s(episode.time_s);
+      if (episode.session) episode.session = sessions_.ours(*episode.session);
       tables_.sessions.add(episode);
     }
   }
@@ -297,14 +244,11 @@ class Merger {
   MemoryTables& other_;
   const LongTermSettings& settings_;
   ViewComparer comparer_;
-  Ids sessions_;
+  MergedSessions sessions_;
   Ids landmarks_;
   Merged merged_;
   std::int64_t last_view_ = 0;  ///< of those that are ours
   bool has_map_ = false;
-  std::vector<Session> theirs_;                            ///< the oldest first
-  std::unordered_map<std::int64_t, double> known_before_;  ///< session -> shift of its time
-  double shift_s_ = 0.0;                                   ///< of the sessions that are new
   std::vector<OnBothMaps> common_;
   std::vector<std::pair<std::string, MapPosition>> to_place_;  ///< theirs, by our name
 };
