@@ -148,7 +148,7 @@ std::string report_text(const RunOptions& options, const agent::RunResult& resul
   if (options.quiet) return {};
   std::string text = summary_text(result);
   if (!options.result.empty()) text += fmt::format("  record            {}\n", options.result);
-  if (!options.pictures.empty()) text += fmt::format("  images          {}\n", options.pictures);
+  if (!options.pictures.empty()) text += fmt::format("  images            {}\n", options.pictures);
   if (!recorded.empty()) text += fmt::format("  recording         {}\n", recorded);
   return text;
 }
