@@ -67,7 +67,8 @@ void tell_unclosed_quote(SourceLocation quote, Diagnostics& diagnostics) {
 }
 
 Node read_documents(const std::string& text, Diagnostics& diagnostics) {
-  std::istringstream stream(text + "\n");
+  // Without the last line break the library tells an open quote by its end, not by its beginning.
+  std::istringstream stream(text.ends_with('\n') ? text : text + "\n");
   TreeBuilder builder(text, diagnostics);
   TreeBuilder second(text, diagnostics);
   const auto ends_in_quote = [&](SourceLocation& quote) {

@@ -36,7 +36,12 @@ std::string why_forgettable(const Landmark& landmark, double now_s,
 Landmark find_landmark(MemoryTables& tables, const std::string& name) {
   if (std::optional<Landmark> found = tables.landmarks.find(name)) return *found;
   std::vector<std::string> names;
-  for (const Landmark& landmark : tables.landmarks.all(true)) names.push_back(landmark.name);
+  for (Landmark& landmark : tables.landmarks.all(true)) {
+    // A file from elsewhere may hold a name that is no plain text: it answers to what is shown of
+    // it.
+    if (landmark.name == name) return landmark;
+    names.push_back(landmark.name);
+  }
   const std::string like = config::suggest(name, names);
   throw UserError(
       fmt::format("there is no landmark '{}'{}\n    'striate memory FILE list --all' lists all",

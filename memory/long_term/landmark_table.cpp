@@ -84,12 +84,8 @@ std::int64_t LandmarkTable::add(const Landmark& landmark) {
 std::optional<Landmark> LandmarkTable::find(const std::string& name) {
   StatementUse use(find_);
   use.with(name);
-  if (use.next()) return read(use);
-  // A file from elsewhere may hold a name that is no plain text: it answers to what is shown of it.
-  for (Landmark& landmark : all(true)) {
-    if (landmark.name == name) return landmark;
-  }
-  return std::nullopt;
+  if (!use.next()) return std::nullopt;
+  return read(use);
 }
 
 std::vector<Landmark> LandmarkTable::all(bool with_retired) {
