@@ -4,6 +4,7 @@
 #include <ctime>
 
 #include "striate/base/say.hpp"
+#include "striate/base/version.hpp"
 
 namespace striate::agent {
 
@@ -16,7 +17,7 @@ memory::MemoryOptions memory_options(memory::Access access, const std::string& w
 }
 
 std::string software_name() {
-  return std::string("striate ") + STRIATE_VERSION;
+  return std::string("striate ") + kVersion;
 }
 
 void print_notices(const std::vector<std::string>& notices) {

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <opencv2/imgcodecs.hpp>
 
-#include "tests/scenarios/striate_process.hpp"
+#include "tests/scenarios/striate_here.hpp"
 
 namespace striate::scenarios {
 namespace {
@@ -14,16 +14,16 @@ using testing::HasSubstr;
 using testing::Not;
 
 TEST(CommandLine, HelpTeachesAndVersionTells) {
-  const Ended help = striate({"--help"});
+  const Ended help = striate_here({"--help"});
   EXPECT_EQ(help.exit_code, 0);
   EXPECT_THAT(help.out, AllOf(HasSubstr("striate run corridor --world corridor_a"),
                               HasSubstr("perceive"), HasSubstr("Exit codes")));
-  const Ended version = striate({"--version"});
+  const Ended version = striate_here({"--version"});
   EXPECT_EQ(version.exit_code, 0);
   EXPECT_THAT(version.out, HasSubstr("striate 0."));
-  EXPECT_EQ(striate({}).exit_code, 2);
-  EXPECT_EQ(striate({"fly"}).exit_code, 2);
-  EXPECT_EQ(striate({"run", "--sed", "7"}).exit_code, 2);
+  EXPECT_EQ(striate_here({}).exit_code, 2);
+  EXPECT_EQ(striate_here({"fly"}).exit_code, 2);
+  EXPECT_EQ(striate_here({"run", "--sed", "7"}).exit_code, 2);
 }
 
 TEST(CommandLine, EveryShippedFilePassesTheCheck) {
@@ -35,7 +35,7 @@ TEST(CommandLine, EveryShippedFilePassesTheCheck) {
     }
   }
   ASSERT_GE(arguments.size(), 6U);
-  const Ended ended = striate(arguments);
+  const Ended ended = striate_here(arguments);
   EXPECT_EQ(ended.exit_code, 0) << ended.err;
 }
 
@@ -45,7 +45,7 @@ TEST(CommandLine, ABrokenTaskIsToldWithItsPlacesAndNothingRuns) {
       folder.write("t.yaml", "striate: 1\ndo:\n  - fly: {}\n  - wait: {for: 3}\n");
   const std::string result = folder / "r.json";
   const Ended ended =
-      striate({"run", task, "--world", "config/worlds/short.yaml", "--result", result});
+      striate_here({"run", task, "--world", "config/worlds/short.yaml", "--result", result});
   EXPECT_EQ(ended.exit_code, 2);
   EXPECT_THAT(ended.err, AllOf(HasSubstr("t.yaml:3:5: error[T020]: unknown action 'fly'"),
                                HasSubstr("t.yaml:4:17: error[T014]: '3' has no unit")));
@@ -58,7 +58,7 @@ TEST(CommandLine, ABrokenWorldIsToldWithAllItsPlaces) {
       "w.yaml",
       "striate_world: 1\nname: w\ncorridor: {length: 60, width: 2.4 m, height: 2.7 m}\n"
       "dors: []\n");
-  const Ended ended = striate({"run", "config/tasks/corridor.yaml", "--world", world});
+  const Ended ended = striate_here({"run", "config/tasks/corridor.yaml", "--world", world});
   EXPECT_EQ(ended.exit_code, 2);
   EXPECT_THAT(ended.err, AllOf(HasSubstr("w.yaml:3:20: error:"), HasSubstr("w.yaml:4:1: error:")));
 }
@@ -67,7 +67,7 @@ TEST(CommandLine, BrokenSettingsAreToldWithAllTheirPlaces) {
   const TemporaryFolder folder;
   const std::string robot =
       folder.write("r.yaml", "safety:\n  stop: 6\n  slow_sped: 0.3 m/s\nfoo: 1\n");
-  const Ended ended = striate({"config", "--robot", robot});
+  const Ended ended = striate_here({"config", "--robot", robot});
   EXPECT_EQ(ended.exit_code, 2);
   EXPECT_THAT(ended.err,
               AllOf(HasSubstr("r.yaml:2:9: error: '6' has no unit"),
@@ -78,7 +78,7 @@ TEST(CommandLine, BrokenSettingsAreToldWithAllTheirPlaces) {
 TEST(CommandLine, ConfigTellsEveryValueAndWhereItCameFrom) {
   const TemporaryFolder folder;
   const std::string robot = folder.write("r.yaml", "safety:\n  stop: 7 cm\n");
-  const Ended ended = striate({"config", "--robot", robot});
+  const Ended ended = striate_here({"config", "--robot", robot});
   EXPECT_EQ(ended.exit_code, 0) << ended.err;
   EXPECT_THAT(ended.out, testing::ContainsRegex("safety.stop +0.07 m +[^\n]*r.yaml:2"));
   EXPECT_THAT(ended.out, testing::ContainsRegex("safety.slow_speed +0.3 m/s +default"));
@@ -87,18 +87,28 @@ TEST(CommandLine, ConfigTellsEveryValueAndWhereItCameFrom) {
 TEST(CommandLine, SimRendersAPlaceAndRefusesNonsense) {
   const TemporaryFolder folder;
   const std::string image = folder / "v.png";
-  const Ended good =
-      striate({"sim", "config/worlds/short.yaml", "--picture", image, "--at", "2 m, 0.2 m, 5 deg"});
+  const Ended good = striate_here(
+      {"sim", "config/worlds/short.yaml", "--picture", image, "--at", "2 m, 0.2 m, 5 deg"});
   EXPECT_EQ(good.exit_code, 0) << good.err;
   EXPECT_GT(std::filesystem::file_size(image), 10000U);
-  const Ended bad = striate({"sim", "config/worlds/short.yaml", "--picture", image, "--at", "2"});
+  for (const auto& [at, says] : std::vector<std::pair<std::string, std::string>>{
+           {"900 m, 0 m", "--at: 900 m, 0 m lies outside short"},
+           {"-3 m, 0 m", "lies outside short"},
+           {"2 m, 40 m", "--at: 2 m, 40 m lies outside short"}}) {
+    const Ended outside =
+        striate_here({"sim", "config/worlds/short.yaml", "--picture", image, "--at", at});
+    EXPECT_EQ(outside.exit_code, 2) << at;
+    EXPECT_THAT(outside.err, HasSubstr(says)) << at;
+  }
+  const Ended bad =
+      striate_here({"sim", "config/worlds/short.yaml", "--picture", image, "--at", "2"});
   EXPECT_EQ(bad.exit_code, 2);
   EXPECT_THAT(bad.err, HasSubstr("12 m, 0.2 m, 5 deg"));
 }
 
 TEST(CommandLine, AResultThatCannotBeWrittenIsSaidBeforeAnythingMoves) {
-  const Ended ended = striate({"run", "config/tasks/corridor.yaml", "--world",
-                               "config/worlds/short.yaml", "--result", "/proc/no/r.json"});
+  const Ended ended = striate_here({"run", "config/tasks/corridor.yaml", "--world",
+                                    "config/worlds/short.yaml", "--result", "/proc/no/r.json"});
   EXPECT_EQ(ended.exit_code, 2);
   EXPECT_THAT(ended.err, HasSubstr("/proc/no/r.json: nothing can be written there"));
   EXPECT_THAT(ended.out, testing::IsEmpty());
@@ -143,8 +153,8 @@ TEST(CommandLine, PerceiveRefusesOrAnswersHostileImages) {
       {write("white.png", cv::Mat1b(120, 160, uchar{255})), folder / "white.png", ""},
   };
   for (const auto& row : rows) {
-    const Ended ended =
-        striate({"perceive", "--left", row.left, "--right", row.right, "--out", folder / "out"});
+    const Ended ended = striate_here(
+        {"perceive", "--left", row.left, "--right", row.right, "--out", folder / "out"});
     EXPECT_EQ(ended.exit_code, row.says.empty() ? 0 : 2) << row.left << ": " << ended.err;
     EXPECT_THAT(ended.err, HasSubstr(row.says));
   }
@@ -154,9 +164,9 @@ TEST(CommandLine, PerceiveRefusesOrAnswersHostileImages) {
 TEST(CommandLine, PerceiveKnowsNothingOfABlankPair) {
   const TemporaryFolder folder;
   cv::imwrite(folder / "white.png", cv::Mat1b(120, 160, uchar{255}));
-  const Ended ended = striate({"perceive", "--left", folder / "white.png", "--right",
-                               folder / "white.png", "--out", folder / "out", "--focal-px", "203",
-                               "--baseline-m", "0.12", "--camera-height-m", "1.2"});
+  const Ended ended = striate_here({"perceive", "--left", folder / "white.png", "--right",
+                                    folder / "white.png", "--out", folder / "out", "--focal-px",
+                                    "203", "--baseline-m", "0.12", "--camera-height-m", "1.2"});
   ASSERT_EQ(ended.exit_code, 0) << ended.err;
   const auto json = nlohmann::json::parse(read_text(folder / "out/obstacles.json"));
   EXPECT_TRUE(json["obstacles"].empty());

@@ -66,10 +66,13 @@ Stop stop_of(const Served& served) {
   return stop;
 }
 
-void expect_a_short_stop(const Stop& stop, bool by_keeper) {
-  testing::Test::RecordProperty("commanded_s", std::to_string(stop.commanded_s));
-  testing::Test::RecordProperty("stood_s", std::to_string(stop.stood_s));
-  testing::Test::RecordProperty("way_m", std::to_string(stop.way_m));
+void expect_a_short_stop(const std::string& ending, const Stop& stop, bool by_keeper) {
+  const auto record = [&](const char* what, double value) {
+    testing::Test::RecordProperty(ending + what, std::to_string(value));
+  };
+  record("_commanded_s", stop.commanded_s);
+  record("_stood_s", stop.stood_s);
+  record("_way_m", stop.way_m);
   const double braking_m =
       kFull_m_s * kFull_m_s / (2.0 * pioneer::SessionSettings{}.acceleration_m_s2);
   EXPECT_LT(stop.commanded_s, by_keeper ? kKeeperStopsWithin_s : kMindStopsWithin_s);
@@ -93,39 +96,60 @@ struct Ending {
   bool pty = false;
 };
 
-class SignalEnds : public testing::TestWithParam<Ending> {};
+constexpr std::array kEndings{Ending{"Int", SIGINT, 130},
+                              Ending{"Term", SIGTERM, 130},
+                              Ending{"Hup", SIGHUP, 130},
+                              Ending{"Pipe", SIGPIPE, 130},
+                              Ending{"Quit", SIGQUIT, 130},
+                              Ending{"Xfsz", SIGXFSZ, 130},
+                              Ending{"Usr2", SIGUSR2, 130},
+                              Ending{"Alrm", SIGALRM, 130},
+                              Ending{"Xcpu", SIGXCPU, 130},
+                              Ending{"Segv", SIGSEGV, -1},
+                              Ending{"Abrt", SIGABRT, -1},
+                              Ending{"Bus", SIGBUS, -1},
+                              Ending{"Fpe", SIGFPE, -1},
+                              Ending{"Ill", SIGILL, -1},
+                              Ending{"Sys", SIGSYS, -1},
+                              Ending{"Kill", SIGKILL, -1},
+                              Ending{"Stop", SIGSTOP, -1},
+                              Ending{"IntPty", SIGINT, 130, true},
+                              Ending{"HupPty", SIGHUP, 130, true},
+                              Ending{"SegvPty", SIGSEGV, -1, true},
+                              Ending{"KillPty", SIGKILL, -1, true},
+                              Ending{"StopPty", SIGSTOP, -1, true}};
 
-TEST_P(SignalEnds, AndTheRobotStandsAndItsSessionIsClosed) {
-  const Served served({.pty = GetParam().pty});
+void expect_the_robot_to_stand(const Ending& ending) {
+  SCOPED_TRACE(ending.name);
+  const Served served({.pty = ending.pty});
   const pid_t child = start_drive(served.url());
   reach_full_speed(served);
-  kill(child, GetParam().signal);
-  expect_a_short_stop(stop_of(served), GetParam().exit_code < 0);
+  kill(child, ending.signal);
+  expect_a_short_stop(ending.name, stop_of(served), ending.exit_code < 0);
   // Who is only stopped may be let go on: its session stays until it dies.
-  if (GetParam().signal == SIGSTOP) {
+  if (ending.signal == SIGSTOP) {
     EXPECT_TRUE(served.state().connected);
     kill(child, SIGKILL);
   }
   expect_a_closed_session(served);
   int status = 0;
   waitpid(child, &status, 0);
-  EXPECT_EQ(WIFEXITED(status) ? WEXITSTATUS(status) : -1, GetParam().exit_code);
+  EXPECT_EQ(WIFEXITED(status) ? WEXITSTATUS(status) : -1, ending.exit_code);
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    All, SignalEnds,
-    testing::Values(Ending{"Int", SIGINT, 130}, Ending{"Term", SIGTERM, 130},
-                    Ending{"Hup", SIGHUP, 130}, Ending{"Pipe", SIGPIPE, 130},
-                    Ending{"Quit", SIGQUIT, 130}, Ending{"Xfsz", SIGXFSZ, 130},
-                    Ending{"Usr2", SIGUSR2, 130}, Ending{"Alrm", SIGALRM, 130},
-                    Ending{"Xcpu", SIGXCPU, 130}, Ending{"Segv", SIGSEGV, -1},
-                    Ending{"Abrt", SIGABRT, -1}, Ending{"Bus", SIGBUS, -1},
-                    Ending{"Fpe", SIGFPE, -1}, Ending{"Ill", SIGILL, -1}, Ending{"Sys", SIGSYS, -1},
-                    Ending{"Kill", SIGKILL, -1}, Ending{"Stop", SIGSTOP, -1},
-                    Ending{"IntPty", SIGINT, 130, true}, Ending{"HupPty", SIGHUP, 130, true},
-                    Ending{"SegvPty", SIGSEGV, -1, true}, Ending{"KillPty", SIGKILL, -1, true},
-                    Ending{"StopPty", SIGSTOP, -1, true}),
-    [](const auto& ending) { return std::string(ending.param.name); });
+/// Robots and programs of their own that mostly wait: so many at once, side by side.
+constexpr std::size_t kAtOnce = 4;
+
+TEST(SignalEnds, AndTheRobotStandsAndItsSessionIsClosed) {
+  std::atomic<std::size_t> next{0};
+  const auto take_some = [&] {
+    for (std::size_t i = next++; i < kEndings.size(); i = next++) {
+      expect_the_robot_to_stand(kEndings[i]);
+    }
+  };
+  std::vector<std::jthread> side_by_side;
+  for (std::size_t i = 0; i < kAtOnce; ++i) side_by_side.emplace_back(take_some);
+}
 
 TEST(Endings, ASecondCtrlCStillClosesAndAThirdKillsButTheRobotBrakes) {
   for (const int times : {2, 3}) {
@@ -159,7 +183,7 @@ TEST(Endings, TheDeathOfTheTerminalStopsTheRobot) {
   reads = false;
   reader.join();
   close(terminal);
-  expect_a_short_stop(stop_of(served), false);
+  expect_a_short_stop("Terminal", stop_of(served), false);
   expect_a_closed_session(served);
   int status = 0;
   waitpid(child, &status, 0);

@@ -48,22 +48,23 @@ TEST(ForgivingCommandLine, HelpOfACommandIsWhatItsOptionPrints) {
     help.insert(help.end(), command.begin(), command.end());
     Words option = command;
     option.emplace_back("--help");
-    const Ended by_command = striate(help);
+    const Ended by_command = striate_here(help);
     EXPECT_EQ(by_command.exit_code, 0) << by_command.err;
     EXPECT_THAT(by_command.out, HasSubstr("Usage: striate"));
-    EXPECT_EQ(by_command.out, striate(option).out) << testing::PrintToString(command);
+    EXPECT_EQ(by_command.out, striate_here(option).out) << testing::PrintToString(command);
   }
 }
 
 TEST(ForgivingCommandLine, OneActionIsShownWithItsParameters) {
-  const Ended ended = striate({"task", "actions", "back_up"});
+  const Ended ended = striate_here({"task", "actions", "back_up"});
   EXPECT_EQ(ended.exit_code, 0) << ended.err;
   EXPECT_THAT(ended.out, testing::StartsWith("  back_up: drives straight back\n"));
   EXPECT_THAT(ended.out, testing::ContainsRegex("distance +0.3 m +how far \\(0.02 m .. 5 m\\)"));
   EXPECT_THAT(ended.out, AllOf(Not(HasSubstr("traverse_corridor")), Not(HasSubstr("Conditions"))));
-  const auto json = nlohmann::json::parse(striate({"task", "actions", "back_up", "--json"}).out);
+  const auto json =
+      nlohmann::json::parse(striate_here({"task", "actions", "back_up", "--json"}).out);
   EXPECT_EQ(json.at("actions").size(), 1U);
-  EXPECT_THAT(striate({"task", "actions", "battery_below"}).out,
+  EXPECT_THAT(striate_here({"task", "actions", "battery_below"}).out,
               HasSubstr("{battery_below: 20 %}"));
   expect_refused({{{"task", "actions", "bakc_up"}, "hint: did you mean 'back_up'?"}});
 }
@@ -71,7 +72,8 @@ TEST(ForgivingCommandLine, OneActionIsShownWithItsParameters) {
 TEST(ForgivingCommandLine, AnOldNameStillWorksAndSaysTheNewOne) {
   const TemporaryFolder folder;
   const auto image = [&](const std::string& file, const std::string& option) {
-    return striate({"sim", "config/worlds/short.yaml", "--picture", folder / file, option, "-20"});
+    return striate_here(
+        {"sim", "config/worlds/short.yaml", "--picture", folder / file, option, "-20"});
   };
   const Ended before = image("old.png", "--tilt");
   EXPECT_EQ(before.exit_code, 0) << before.err;
@@ -102,11 +104,11 @@ TEST(ForgivingCommandLine, EachRenamedOptionIsKnownByItsOldNameAndShownByItsNewO
       {"learn-descriptor", "--pictures", "3", "--picture-count"},
   };
   for (const auto& row : rows) {
-    const Ended ended = striate({row[0], row[1], row[2], "--no-such-option"});
+    const Ended ended = striate_here({row[0], row[1], row[2], "--no-such-option"});
     EXPECT_EQ(ended.exit_code, 2);
     EXPECT_THAT(ended.err, AllOf(HasSubstr(row[1] + " is now called " + row[3]),
                                  HasSubstr("unknown option '--no-such-option'")));
-    const std::string help = striate({"help", row[0]}).out;
+    const std::string help = striate_here({"help", row[0]}).out;
     EXPECT_THAT(help, AllOf(HasSubstr(row[3] + " "), Not(HasSubstr(row[1] + " ")))) << row[0];
   }
 }

@@ -99,6 +99,8 @@ TEST_F(TaughtBooks, OneIsFoundAndTheStartAgainAlthoughNewThingsStandInTheWay) {
                                 Words{"--memory", memory("find.db")});
   EXPECT_EQ(result.at("outcome"), "success");
   EXPECT_TRUE(result.at("collisions").empty());
+  ASSERT_EQ(result.at("late_obstacles").size(), 2U);
+  for (const auto& late : result.at("late_obstacles")) EXPECT_TRUE(late.at("put_down")) << late;
   EXPECT_GT(result.at("distance_m").get<double>(), 10.0) << "the book stands 8 m away";
   EXPECT_LT(result.at("from_start_m").get<double>(), 0.8);
 }

@@ -43,7 +43,7 @@ TEST_P(ALateLine, MakesTheRobotStandAndItTouchesNothing) {
   SCOPED_TRACE(testing::Message() << kLateLines[static_cast<std::size_t>(line)] << " " << late_s);
   start();
   mission_.late(line, late_s);
-  const LateMission::Watched seen = mission_.watch(8.0);
+  const LateMission::Watched seen = mission_.watch(2.5 + late_s + 2.0);
   RecordProperty("seconds", std::to_string(seen.last_moved_s));
   // To notice, to brake, and for the stop to arrive.
   const bool stop_is_late = line == LateLine::to_base || line == LateLine::all;
@@ -64,7 +64,7 @@ TEST_F(LateLines, LinesThatAreLateFromTheBeginningNeverDrive) {
     LateMission mission(STRIATE_BINARY, STRIATE_SOURCE_DIR);
     mission.late(line, line == LateLine::all ? 0.8 : 3.0);
     mission.start();
-    EXPECT_EQ(mission.watch(12.0).fastest_m_s, 0.0)
+    EXPECT_EQ(mission.watch(8.0).fastest_m_s, 0.0)
         << kLateLines[static_cast<std::size_t>(line)] << "\n"
         << mission.said();
   }

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "tests/scenarios/striate_process.hpp"
+#include "tests/scenarios/striate_here.hpp"
 
 namespace striate::scenarios {
 namespace {
@@ -74,7 +74,7 @@ TEST(Completion, AValueThatReadsLikeACommandIsNone) {
 }
 
 TEST(Completion, ZshReadsItsScript) {
-  const Ended script = striate({"help", "--completion", "zsh"});
+  const Ended script = striate_here({"help", "--completion", "zsh"});
   EXPECT_EQ(script.exit_code, 0);
   EXPECT_THAT(lines_of(script.out).front(), "#compdef striate");
   EXPECT_THAT(script.out, HasSubstr("\"striate run --baseline\") values=\"paper sgbm truth\""));
@@ -84,7 +84,7 @@ TEST(Completion, ZshReadsItsScript) {
 }
 
 TEST(ManualPage, HasEveryCommandAndOption) {
-  const Ended page = striate({"help", "--man"});
+  const Ended page = striate_here({"help", "--man"});
   ASSERT_EQ(page.exit_code, 0) << page.err;
   for (const char* section : {"NAME", "SYNOPSIS", "DESCRIPTION", "OPTIONS", "COMMANDS",
                               "EXIT STATUS", "ENVIRONMENT", "FILES", "EXAMPLES"}) {
@@ -97,7 +97,7 @@ TEST(ManualPage, HasEveryCommandAndOption) {
                     HasSubstr("(from \\-60 to 60; default \\-13; only with \\-\\-picture)"),
                     HasSubstr("\\fB\\-\\-kind\\fR p3dx|p3dx\\-sh\n")));
   // Every option that any help shows stands in the page.
-  for (const std::string& line : lines_of(striate({"help", "run"}).out)) {
+  for (const std::string& line : lines_of(striate_here({"help", "run"}).out)) {
     const std::size_t at = line.find("  --");
     if (at != 0) continue;
     std::string name = line.substr(2, line.find_first_of(" ,", 2) - 2);
@@ -111,7 +111,7 @@ TEST(ManualPage, HasEveryCommandAndOption) {
 TEST(ManualPage, NoLineIsTakenForAnUnknownRequest) {
   const std::vector<std::string> known = {".\\\"", ".TH", ".SH", ".SS", ".TP", ".PP", ".br",
                                           ".nf",   ".fi", ".B",  ".I",  ".IR", ".BR"};
-  for (const std::string& line : lines_of(striate({"help", "--man"}).out)) {
+  for (const std::string& line : lines_of(striate_here({"help", "--man"}).out)) {
     if (line.empty() || (line[0] != '.' && line[0] != '\'')) continue;
     EXPECT_THAT(known, Contains(line.substr(0, line.find(' ')))) << line;
   }

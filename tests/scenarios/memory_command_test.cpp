@@ -31,7 +31,7 @@ TEST(Teach, FromImagesAndAFolderThenLookedInto) {
     const std::string image = image_of_a_thing(folder, seed);
     std::filesystem::rename(image, (folder / "cup") + "/" + std::to_string(seed) + ".png");
   }
-  const Ended cup = striate({"teach", "cup", "--image", folder / "cup", "--memory", file});
+  const Ended cup = striate_here({"teach", "cup", "--image", folder / "cup", "--memory", file});
   EXPECT_EQ(cup.exit_code, 0) << cup.err;
   EXPECT_THAT(cup.out, AllOf(HasSubstr("cup: new, 2 views added"), Not(HasSubstr("looks like"))));
 
@@ -58,21 +58,22 @@ TEST(Teach, SaysWhatLooksAlikeAndWhatHasNoStructureAndCanBeUndone) {
   const std::string file = folder / "home.db";
   const std::string image = image_of_a_thing(folder, 1);
   teach(file, "book", image);
-  const Ended again = striate({"teach", "cover", "--image", image, "--memory", file});
+  const Ended again = striate_here({"teach", "cover", "--image", image, "--memory", file});
   EXPECT_THAT(again.out, HasSubstr("looks like 'book'"));
-  EXPECT_EQ(striate({"teach", "--undo", "--memory", file}).exit_code, 0);
+  EXPECT_EQ(striate_here({"teach", "--undo", "--memory", file}).exit_code, 0);
   EXPECT_EQ(memory_json(file, {"list"}).size(), 1U);
-  EXPECT_EQ(striate({"teach", "book", "--undo", "--memory", file}).exit_code, 2);
+  EXPECT_EQ(striate_here({"teach", "book", "--undo", "--memory", file}).exit_code, 2);
   EXPECT_EQ(memory_json(file, {"list"}).size(), 1U);
 
   const std::string wall = folder / "wall.png";
   cv::imwrite(wall, cv::Mat3b(200, 200, cv::Vec3b(180, 180, 180)));
-  const Ended bare = striate({"teach", "wall", "--image", wall, "--memory", file});
+  const Ended bare = striate_here({"teach", "wall", "--image", wall, "--memory", file});
   EXPECT_EQ(bare.exit_code, 2);
   EXPECT_THAT(bare.err, HasSubstr("too little structure"));
   EXPECT_EQ(memory_json(file, {"list"}).size(), 1U);
-  EXPECT_EQ(striate({"teach", "x", "--image", folder / "none.png", "--memory", file}).exit_code, 2);
-  EXPECT_EQ(striate({"teach", "x", "--memory", file}).exit_code, 2);
+  EXPECT_EQ(
+      striate_here({"teach", "x", "--image", folder / "none.png", "--memory", file}).exit_code, 2);
+  EXPECT_EQ(striate_here({"teach", "x", "--memory", file}).exit_code, 2);
 }
 
 TEST(MemoryCommand, TablesFitTheTerminal) {
@@ -108,11 +109,11 @@ TEST(MemoryCommand, AMemoryIsAFileThatKeepsWhatItIsGiven) {
            "--memory"}}) {
       std::vector<std::string> all = words;
       all.push_back(nowhere);
-      const Ended ended = striate(all);
+      const Ended ended = striate_here(all);
       EXPECT_EQ(ended.exit_code, 2) << words[0] << " '" << nowhere << "': " << ended.out;
       EXPECT_EQ(ended.out, "") << words[0] << " '" << nowhere << "'";
     }
-    const Ended listed = striate({"memory", nowhere, "list"});
+    const Ended listed = striate_here({"memory", nowhere, "list"});
     EXPECT_EQ(listed.exit_code, 2) << nowhere;
   }
 }
@@ -247,7 +248,7 @@ TEST(MemoryCommand, DrawsTheMapOfTheGoldenMemory) {
   const std::string foreign = folder / "other.db";
   execute(foreign, "CREATE TABLE t (x)");
   EXPECT_EQ(memory(foreign, {"list"}).exit_code, 2);
-  EXPECT_THAT(striate({"teach", "x", "--image", image, "--memory", foreign}).err,
+  EXPECT_THAT(striate_here({"teach", "x", "--image", image, "--memory", foreign}).err,
               HasSubstr("not a memory of Striate's"));
 }
 

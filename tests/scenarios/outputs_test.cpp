@@ -80,7 +80,8 @@ TEST(Outputs, AFolderThatCannotBeWrittenIntoIsSaidBeforeAnyWork) {
 TEST(Outputs, AMissingFolderIsMade) {
   const TemporaryFolder folder;
   const std::string tree = folder / "new/and/new/tree.svg";
-  EXPECT_EQ(striate({"task", "show", "config/tasks/corridor.yaml", "--svg", tree}).exit_code, 0);
+  EXPECT_EQ(striate_here({"task", "show", "config/tasks/corridor.yaml", "--svg", tree}).exit_code,
+            0);
   EXPECT_THAT(read_text(tree), HasSubstr("<svg"));
 }
 
@@ -96,12 +97,14 @@ TEST(Outputs, AFullDeviceIsNoSuccess) {
 }
 
 TEST(Outputs, ADeviceIsWrittenToAndNotReplaced) {
-  const Ended full = striate({"task", "show", "config/tasks/corridor.yaml", "--svg", "/dev/full"});
+  const Ended full =
+      striate_here({"task", "show", "config/tasks/corridor.yaml", "--svg", "/dev/full"});
   EXPECT_EQ(full.exit_code, 1);
   EXPECT_THAT(full.err, HasSubstr("/dev/full: cannot be written: No space left on device"));
   EXPECT_TRUE(std::filesystem::is_character_file("/dev/full"));
-  EXPECT_EQ(striate({"task", "show", "config/tasks/corridor.yaml", "--svg", "/dev/null"}).exit_code,
-            0);
+  EXPECT_EQ(
+      striate_here({"task", "show", "config/tasks/corridor.yaml", "--svg", "/dev/null"}).exit_code,
+      0);
   EXPECT_TRUE(std::filesystem::is_character_file("/dev/null"));
 }
 

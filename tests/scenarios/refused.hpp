@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "tests/scenarios/striate_process.hpp"
+#include "tests/scenarios/striate_here.hpp"
 
 /// What the command line refuses.
 namespace striate::scenarios {
@@ -23,7 +23,7 @@ struct Row {
 
 inline void expect_refused(const std::vector<Row>& rows) {
   for (const Row& row : rows) {
-    const Ended ended = striate(row.words);
+    const Ended ended = striate_here(row.words);
     EXPECT_EQ(ended.exit_code, 2) << testing::PrintToString(row.words) << ended.err;
     EXPECT_THAT(ended.err, testing::HasSubstr(row.says)) << testing::PrintToString(row.words);
     EXPECT_THAT(ended.out, testing::IsEmpty()) << testing::PrintToString(row.words);

@@ -34,10 +34,11 @@ inline std::string read_text(const std::string& file) {
 
 using reference::TemporaryFolder;
 
-/// Runs a program in the source tree.
+/// What comes of it in a process of its own, in the source tree, with its outputs in files.
+/// @param become what the process does; it must not return
 /// @param signal_after when not zero, SIGINT is sent after this time.
-inline Ended run_program(std::vector<std::string> words,
-                         std::chrono::milliseconds signal_after = {}) {
+template <typename Become>
+Ended ended(const Become& become, std::chrono::milliseconds signal_after = {}) {
   const TemporaryFolder folder;
   const std::string out_file = folder / "out";
   const std::string err_file = folder / "err";
@@ -47,10 +48,7 @@ inline Ended run_program(std::vector<std::string> words,
         freopen(err_file.c_str(), "w", stderr) == nullptr) {
       _exit(99);
     }
-    std::vector<char*> argv;
-    for (std::string& word : words) argv.push_back(word.data());
-    argv.push_back(nullptr);
-    execv(argv[0], argv.data());
+    become();
     _exit(98);
   }
   if (signal_after.count() > 0) {
@@ -60,6 +58,20 @@ inline Ended run_program(std::vector<std::string> words,
   int status = 0;
   waitpid(child, &status, 0);
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_text(out_file), read_text(err_file)};
+}
+
+inline std::vector<char*> pointers_to(std::vector<std::string>& words) {
+  std::vector<char*> argv;
+  for (std::string& word : words) argv.push_back(word.data());
+  argv.push_back(nullptr);
+  return argv;
+}
+
+/// Runs a program in the source tree.
+inline Ended run_program(std::vector<std::string> words,
+                         std::chrono::milliseconds signal_after = {}) {
+  const std::vector<char*> argv = pointers_to(words);
+  return ended([&] { execv(argv[0], argv.data()); }, signal_after);
 }
 
 /// @param signal_after when not zero, SIGINT is sent after this time.

@@ -7,7 +7,7 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "tests/scenarios/striate_process.hpp"
+#include "tests/scenarios/striate_here.hpp"
 
 /// Memories taught from images that are made here, and looked into by the command.
 namespace striate::scenarios {
@@ -29,7 +29,7 @@ inline std::string image_of_a_thing(const TemporaryFolder& folder, int seed) {
 
 inline Ended memory(const std::string& file, std::vector<std::string> words) {
   words.insert(words.begin(), {"memory", file});
-  return striate(words);
+  return striate_here(words);
 }
 
 inline nlohmann::json memory_json(const std::string& file, std::vector<std::string> words) {
@@ -40,7 +40,7 @@ inline nlohmann::json memory_json(const std::string& file, std::vector<std::stri
 }
 
 inline void teach(const std::string& file, const std::string& name, const std::string& image) {
-  const Ended ended = striate({"teach", name, "--image", image, "--memory", file});
+  const Ended ended = striate_here({"teach", name, "--image", image, "--memory", file});
   EXPECT_EQ(ended.exit_code, 0) << ended.err;
 }
 
