@@ -82,7 +82,8 @@ void MissionPictures::finish(const Mission& mission, const RunResult& result) co
                   body->world().name, result.seed, name_of(result.outcome), result.distance_m,
                   result.duration_s, result.nearest_pass_m);
   save(folder_ + "/plan.png",
-       pictures::draw_plan(body->world(), body->plan(), body->judge(), &body->light(), title));
+       pictures::draw_plan(simulator::world_without(body->world(), body->late_obstacles().absent()),
+                           body->plan(), body->judge(), &body->light(), title));
 }
 
 }  // namespace striate::agent

@@ -52,6 +52,27 @@ std::string Mission::reason_of(RunOutcome outcome) const {
   return executive_.reason();
 }
 
+namespace {
+
+std::vector<LateObstacleRecord> late_obstacles_of(const SimulatedBody& body) {
+  std::vector<LateObstacleRecord> records;
+  const auto& put_down = body.late_obstacles().put_down();
+  for (std::size_t i = 0; i < body.world().obstacles.size(); ++i) {
+    const simulator::WorldObstacle& obstacle = body.world().obstacles[i];
+    if (!comes_late(obstacle)) continue;
+    LateObstacleRecord& record = records.emplace_back();
+    record.name = obstacle.name;
+    for (const auto& one : put_down) {
+      if (one.obstacle != i) continue;
+      record.time_s = one.time_s;
+      record.driven_m = one.driven_m;
+    }
+  }
+  return records;
+}
+
+}  // namespace
+
 RunResult Mission::result() const {
   RunResult result;
   result.outcome = outcome();
@@ -89,6 +110,7 @@ void Mission::tell_what_the_judge_knows(RunResult& result) const {
   if (simulated() == nullptr) return;
   result.seed = simulated()->options().seed;
   result.baseline = simulated()->options().baseline;
+  result.late_obstacles = late_obstacles_of(*simulated());
 }
 
 }  // namespace striate::agent

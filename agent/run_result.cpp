@@ -28,6 +28,19 @@ nlohmann::ordered_json to_json(const std::vector<CollisionRecord>& collisions) {
   return json;
 }
 
+nlohmann::ordered_json to_json(const std::vector<LateObstacleRecord>& late) {
+  nlohmann::ordered_json json = nlohmann::ordered_json::array();
+  for (const LateObstacleRecord& one : late) {
+    nlohmann::ordered_json entry = {{"name", one.name}, {"put_down", one.time_s.has_value()}};
+    if (one.time_s) {
+      entry["time_s"] = rounded(*one.time_s);
+      entry["driven_m"] = rounded(one.driven_m);
+    }
+    json.push_back(std::move(entry));
+  }
+  return json;
+}
+
 RunOutcome outcome_from_json(const nlohmann::json& json) {
   const std::string name = json.get<std::string>();
   const std::optional<RunOutcome> outcome = outcome_named(name);
@@ -41,6 +54,13 @@ void read_judged(const nlohmann::json& json, RunResult& result) {
     result.collisions.push_back({hit.at("time_s"), hit.at("along_m"), hit.at("left_m"),
                                  hit.at("hit"), hit.at("light_level"), hit.at("moving")});
   }
+  for (const nlohmann::json& one : json.value("late_obstacles", nlohmann::json::array())) {
+    LateObstacleRecord& late = result.late_obstacles.emplace_back();
+    one.at("name").get_to(late.name);
+    if (!one.at("put_down").get<bool>()) continue;
+    late.time_s = one.at("time_s").get<double>();
+    one.at("driven_m").get_to(late.driven_m);
+  }
   json.at("nearest_pass_m").get_to(result.nearest_pass_m);
   json.at("seed").get_to(result.seed);
 }
@@ -53,6 +73,7 @@ nlohmann::ordered_json to_json(const RunResult& result) {
   json["reason"] = result.reason;
   json["reached_goal"] = result.reached_goal;
   if (result.judged) json["collisions"] = to_json(result.collisions);
+  if (!result.late_obstacles.empty()) json["late_obstacles"] = to_json(result.late_obstacles);
   json["distance_m"] = rounded(result.distance_m);
   json["duration_s"] = rounded(result.duration_s);
   if (result.judged) json["nearest_pass_m"] = rounded(result.nearest_pass_m);
@@ -95,6 +116,15 @@ RunResult run_result_from_json(const nlohmann::json& json) {
     throw std::runtime_error(fmt::format("not the result of a run: {}", error.what()));
   }
   return result;
+}
+
+std::string late_obstacles_text(const RunResult& result) {
+  std::string text;
+  for (const LateObstacleRecord& one : result.late_obstacles) {
+    text += text.empty() ? "" : ", ";
+    text += one.name + (one.time_s ? fmt::format(" after {:.0f} s", *one.time_s) : " never");
+  }
+  return text;
 }
 
 std::string stood_for(const RunResult& result) {

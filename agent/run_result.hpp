@@ -20,6 +20,13 @@ struct CollisionRecord {
   bool moving = false;       ///< what was hit moved by itself
 };
 
+/// An obstacle that the world was to put down during the run.
+struct LateObstacleRecord {
+  std::string name;
+  std::optional<double> time_s;  ///< when it was put down; none: never, so nobody met it
+  double driven_m = 0.0;         ///< by the robot until then
+};
+
 /// What came of one run; `--result` writes it. Only the figures named wall-clock differ between
 /// two runs of the same seed in a world.
 struct RunResult {
@@ -30,8 +37,9 @@ struct RunResult {
   bool judged = true;
   bool reached_goal = false;
   std::vector<CollisionRecord> collisions;
-  double distance_m = 0.0;        ///< driven
-  double duration_s = 0.0;        ///< on the robot's clock
+  std::vector<LateObstacleRecord> late_obstacles;  ///< of a simulated run; in the world's order
+  double distance_m = 0.0;                         ///< driven
+  double duration_s = 0.0;                         ///< on the robot's clock
   double nearest_pass_m = 0.0;    ///< smallest distance of the robot's outline to anything
   int emergency_stops = 0;        ///< how often sonar, laser or bumper stepped in
   double longest_stand_s = 0.0;   ///< longest time without moving
@@ -56,6 +64,9 @@ struct RunResult {
 
 /// " (why)" of the longest stand; empty where nothing is to be said.
 [[nodiscard]] std::string stood_for(const RunResult& result);
+
+/// "new_box after 41 s, new_chair never".
+[[nodiscard]] std::string late_obstacles_text(const RunResult& result);
 
 /// "collision (touched table 1)", "success".
 [[nodiscard]] std::string outcome_text(const RunResult& result);

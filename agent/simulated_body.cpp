@@ -4,6 +4,7 @@
 
 #include "striate/agent/baselines/baseline.hpp"
 #include "striate/config/quantity.hpp"
+#include "striate/platform/simulator/start_place.hpp"
 #include "striate/platform/simulator/world_reader.hpp"
 
 namespace striate::agent {
@@ -44,7 +45,11 @@ SimulatedBody::SimulatedBody(const RobotSettings& settings, simulator::World wor
 
 BodySource simulated_pioneer(const WorldOptions& options) {
   simulator::World world = simulator::load_world(options.world);
-  if (options.start) world.start = *options.start;
+  if (options.start) {
+    simulator::check_place(world, "the start", *options.start,
+                           simulator::robot_footprint(RobotDescription{}));
+    world.start = *options.start;
+  }
   const Baseline baseline = baseline_named(options.baseline);
   const auto wake = [options, world, baseline](RobotSettings& settings) -> Body {
     // The goal line ends the task, not the body: `finally` is still to be run.

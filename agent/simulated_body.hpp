@@ -38,6 +38,9 @@ class SimulatedBody final : public Robot {
   [[nodiscard]] const simulator::FloorPlan& plan() const { return plan_; }
   [[nodiscard]] const simulator::ImageSource& light() const { return pictures_; }
   [[nodiscard]] const simulator::Judge& judge() const { return body_.judge(); }
+  [[nodiscard]] const simulator::LateObstacles& late_obstacles() const {
+    return body_.late_obstacles();
+  }
   /// Of a baseline, else nullptr.
   [[nodiscard]] perception::DisparitySource* disparities() const { return disparities_.get(); }
 

@@ -32,11 +32,15 @@ bool StatusLine::due() const {
          (terminal_ ? std::chrono::milliseconds(100) : std::chrono::milliseconds(10000));
 }
 
+std::size_t StatusLine::columns() const {
+  return terminal_ ? terminal_width() - 1 : std::string::npos;
+}
+
 void StatusLine::show(const std::string& text) {
   if (quiet_) return;
   last_ = WallClock::now();
   if (terminal_) {
-    put("\r\033[K" + text.substr(0, terminal_width() - 1));
+    put("\r\033[K" + text.substr(0, columns()));
     shown_ = true;
   } else {
     put(text + "\n");

@@ -19,6 +19,8 @@ class StatusLine {
   /// Whether showing now would be seen: build the text only then.
   [[nodiscard]] bool due() const;
   void show(const std::string& text);
+  /// How many characters are seen of a shown text.
+  [[nodiscard]] std::size_t columns() const;
   /// A line of its own that stays.
   void tell(const std::string& text);
   /// Removes the line from a terminal, so that other output starts clean.

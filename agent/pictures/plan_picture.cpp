@@ -7,6 +7,7 @@
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
+#include "striate/agent/pictures/label_places.hpp"
 #include "striate/base/index_within.hpp"
 #include "striate/platform/simulator/static_shapes.hpp"
 
@@ -21,6 +22,7 @@ constexpr double kAround_m = 0.45;    // m around the corridor: walls and labels
 constexpr int kTitle_px = 46;         // px: a line of text and its gap
 constexpr int kLegend_px = 40;        // px: a line of text and its gap
 constexpr int kLeastWidth_px = 1110;  // the legend needs it
+constexpr int kClear_px = 2;          // px around words and lines (ours)
 const cv::Scalar kPlanInk(60, 50, 45);
 const cv::Scalar kObstacle(90, 125, 170);
 const cv::Scalar kPeople(190, 120, 60);
@@ -59,7 +61,7 @@ cv::Scalar colour_of_speed(double speed_m_s) {
 class Strip {
  public:
   Strip(cv::Mat3b image, double low_x_m, double high_y_m)
-      : image_(std::move(image)), low_x_m_(low_x_m), high_y_m_(high_y_m) {}
+      : image_(std::move(image)), labels_(image_.size()), low_x_m_(low_x_m), high_y_m_(high_y_m) {}
 
   void floor(const FloorPlan& plan, const simulator::ImageSource* light) {
     std::vector<cv::Point> outline;
@@ -86,40 +88,56 @@ class Strip {
                  cv::LINE_AA);
       cv::circle(image_, pixel(shape.corners.front()), px(shape.radius_m), kPlanInk, 1,
                  cv::LINE_AA);
+      cv::circle(labels_.taken(), pixel(shape.corners.front()), px(shape.radius_m), 255,
+                 cv::FILLED);
       return;
     }
     std::vector<cv::Point> corners;
     for (const Point2& corner : shape.corners) corners.push_back(pixel(corner));
     cv::fillConvexPoly(image_, corners, colour, cv::LINE_AA);
     cv::polylines(image_, corners, true, kPlanInk, 1, cv::LINE_AA);
+    cv::fillConvexPoly(labels_.taken(), corners, 255);
   }
 
   void line(Point2 from, Point2 to, const cv::Scalar& colour, int thickness) {
     cv::line(image_, pixel(from), pixel(to), colour, thickness, cv::LINE_AA);
+    cv::line(labels_.taken(), pixel(from), pixel(to), 255, thickness + 2 * kClear_px);
   }
 
   void dot(Point2 place, int radius_px, const cv::Scalar& colour, int thickness) {
     cv::circle(image_, pixel(place), radius_px, colour, thickness, cv::LINE_AA);
+    cv::circle(labels_.taken(), pixel(place), radius_px + kClear_px, 255, cv::FILLED);
   }
 
   void cross(Point2 place) {
     const cv::Point c = pixel(place);
     for (const int sign : {-1, 1}) {
-      cv::line(image_, {c.x - 12, c.y - 12 * sign}, {c.x + 12, c.y + 12 * sign}, kHit, 4,
-               cv::LINE_AA);
+      for (const cv::Mat& drawn : {cv::Mat(image_), cv::Mat(labels_.taken())}) {
+        cv::line(drawn, {c.x - 12, c.y - 12 * sign}, {c.x + 12, c.y + 12 * sign}, kHit, 4,
+                 cv::LINE_AA);
+      }
     }
   }
 
+  /// Words beside a place. They are drawn last, where they lie on nothing else.
   void text(Point2 place, const std::string& words, const cv::Scalar& colour, double size = 0.42) {
-    const cv::Point at = pixel(place);
-    if (at.x < 0 || at.x >= image_.cols) return;
-    int baseline = 0;
-    const int width = cv::getTextSize(words, cv::FONT_HERSHEY_SIMPLEX, size, 1, &baseline).width;
-    const cv::Point from(std::clamp(at.x - width / 2, 2, std::max(2, image_.cols - width - 2)),
-                         std::clamp(at.y, 14, image_.rows - 4));
-    cv::putText(image_, words, from, cv::FONT_HERSHEY_SIMPLEX, size, cv::Scalar(255, 255, 255), 3,
-                cv::LINE_AA);
-    cv::putText(image_, words, from, cv::FONT_HERSHEY_SIMPLEX, size, colour, 1, cv::LINE_AA);
+    if (const cv::Point at = pixel(place); at.x < 0 || at.x >= image_.cols) return;
+    words_.push_back({place, words, colour, size});
+  }
+
+  void draw_words() {
+    for (const Words& one : words_) {
+      int below = 0;
+      const cv::Size size =
+          cv::getTextSize(one.text, cv::FONT_HERSHEY_SIMPLEX, one.size, 1, &below);
+      const cv::Rect place =
+          labels_.take(pixel(one.place), size + cv::Size(2 * kClear_px, below + 2 * kClear_px));
+      const cv::Point from(place.x + kClear_px, place.y + kClear_px + size.height);
+      cv::putText(image_, one.text, from, cv::FONT_HERSHEY_SIMPLEX, one.size,
+                  cv::Scalar(255, 255, 255), 3, cv::LINE_AA);
+      cv::putText(image_, one.text, from, cv::FONT_HERSHEY_SIMPLEX, one.size, one.colour, 1,
+                  cv::LINE_AA);
+    }
   }
 
  private:
@@ -134,7 +152,16 @@ class Strip {
     return {low_x_m_ + u / kScale, high_y_m_ - v / kScale};
   }
 
+  struct Words {
+    Point2 place;
+    std::string text;
+    cv::Scalar colour;
+    double size;
+  };
+
   cv::Mat3b image_;
+  LabelPlaces labels_;
+  std::vector<Words> words_;
   double low_x_m_;
   double high_y_m_;
 };
@@ -144,14 +171,13 @@ void draw_world(Strip& strip, const simulator::World& world, const FloorPlan& pl
   strip.floor(plan, light);
   for (const simulator::StaticShape& thing : simulator::standing_shapes(world, plan)) {
     strip.shape(thing.shape, kObstacle);
-    strip.text({thing.middle.x_m, thing.middle.y_m + (thing.middle.y_m > 0 ? -0.55 : 0.5)},
-               thing.name, kPlanInk);
+    strip.text(thing.middle, thing.name, kPlanInk);
   }
   for (const double along_m : {world.start.x_m, world.goal_beyond_m}) {
     const Pose2 left = plan.at(along_m, 1.2);
     const Pose2 right = plan.at(along_m, -1.2);
     strip.line({left.x_m, left.y_m}, {right.x_m, right.y_m}, cv::Scalar(80, 160, 60), 2);
-    strip.text({left.x_m, left.y_m - 0.2}, along_m == world.goal_beyond_m ? "goal" : "start",
+    strip.text({left.x_m, left.y_m}, along_m == world.goal_beyond_m ? "goal" : "start",
                cv::Scalar(60, 120, 40));
   }
 }
@@ -176,12 +202,12 @@ void draw_run(Strip& strip, const simulator::Judge& judge, const FloorPlan& plan
   for (const simulator::NearMiss& miss : judge.near_misses()) {
     const Pose2 at = plan.at(miss.along_m, miss.left_m);
     strip.dot({at.x_m, at.y_m}, 14, kNear, 2);
-    strip.text({at.x_m, at.y_m - 0.4}, fmt::format("{:.0f} cm", 100.0 * miss.clearance_m), kNear);
+    strip.text({at.x_m, at.y_m}, fmt::format("{:.0f} cm", 100.0 * miss.clearance_m), kNear);
   }
   for (const simulator::Collision& hit : judge.collisions()) {
     const Pose2 at = plan.at(hit.along_m, hit.left_m);
     strip.cross({at.x_m, at.y_m});
-    strip.text({at.x_m, at.y_m + 0.4}, hit.hit, kHit, 0.5);
+    strip.text({at.x_m, at.y_m}, hit.hit, kHit, 0.5);
   }
 }
 
@@ -224,6 +250,7 @@ cv::Mat3b draw_plan(const simulator::World& world, const FloorPlan& plan,
     draw_world(strip, world, plan, light);
     draw_people(strip, judge);
     draw_run(strip, judge, plan);
+    strip.draw_words();
     image.push_back(area);
   }
   image.push_back(cv::Mat3b(kLegend_px, width, cv::Vec3b(250, 250, 250)));

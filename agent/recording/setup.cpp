@@ -8,6 +8,7 @@
 #include "striate/agent/open_memory.hpp"
 #include "striate/agent/plugins/load_plugin.hpp"
 #include "striate/base/files.hpp"
+#include "striate/base/shell_text.hpp"
 #include "striate/base/user_error.hpp"
 
 namespace striate::agent {
@@ -69,8 +70,8 @@ std::vector<std::uint8_t> copy_of_memory(const std::string& memory) {
   if (fs::file_size(memory) > kMostMemory_bytes) {
     throw UserError(
         fmt::format("{}: is too large to go into a recording, which takes 128 MB at most\n"
-                    "  hint: run without --record, or 'striate memory {} prune'",
-                    memory, memory));
+                    "  hint: run without --record, or: striate memory {} prune",
+                    memory, shell_word(memory)));
   }
   const ScratchFolder scratch;
   const std::string copy = scratch / "memory.db";

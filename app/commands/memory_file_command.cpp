@@ -11,6 +11,8 @@
 #include "striate/app/memory/memory_transfer.hpp"
 #include "striate/app/memory/text_table.hpp"
 #include "striate/base/files.hpp"
+#include "striate/base/say.hpp"
+#include "striate/base/shell_text.hpp"
 #include "striate/base/user_error.hpp"
 #include "striate/memory/long_term/damage.hpp"
 #include "striate/memory/long_term/memory_writer.hpp"
@@ -81,7 +83,19 @@ void check_is_no_memory(const std::string& out, const std::string& memory) {
   throw UserError(
       fmt::format("{}: is a memory or another database; it is not written over\n    "
                   "give another file, e.g. striate memory {} export home.json",
-                  out, memory));
+                  out, shell_word(memory)));
+}
+
+void say_what_is_left_out(const std::string& file, const nlohmann::ordered_json& exported) {
+  if (const int views = exported.at("damaged_views_left_out"); views > 0) {
+    say(stderr, fmt::format("{}: {} damaged views left out\n", file, views));
+  }
+  if (!exported.contains("rows_left_out")) return;
+  std::string text = fmt::format("{}: damaged; left out because it cannot be read:\n", file);
+  for (const auto& one : exported.at("rows_left_out")) {
+    text += fmt::format("  {}\n", one.get<std::string>());
+  }
+  say(stderr, text);
 }
 
 void export_command(const MemoryCommandOptions& options, const std::string& out) {
@@ -89,18 +103,10 @@ void export_command(const MemoryCommandOptions& options, const std::string& out)
     check_is_no_memory(out, options.file);
     check_writable(out);
   }
-  std::string text;
-  std::size_t landmarks = 0;
-  agent::with_memory(options.file, memory::Access::read, "exporting it",
-                     [&](memory::MemoryTables& tables, memory::MemoryFile&) {
-                       const nlohmann::ordered_json json = export_memory(tables);
-                       landmarks = json.at("landmarks").size();
-                       const int damaged = json.at("damaged_views_left_out");
-                       if (damaged > 0)
-                         fmt::print(stderr, "{}: {} damaged views left out\n", options.file,
-                                    damaged);
-                       text = agent::print_json(json);
-                     });
+  const nlohmann::ordered_json exported = export_readable(options.file);
+  say_what_is_left_out(options.file, exported);
+  const std::size_t landmarks = exported.at("landmarks").size();
+  const std::string text = agent::print_json(exported);
   if (out == "-") {
     fmt::print("{}", text);
     return;

@@ -46,7 +46,7 @@ int run_and_tell(RosOptions& options, const agent::BodySource& body, ros::Tells 
       mission.set_pilot(agent::cmd_vel_pilot(mission.settings().ros, tilt_rad));
     }
     if (options.run.quiet || options.run.json) return;
-    say(stdout, "on ROS; Ctrl-C ends it\n");
+    say(stdout, "on ROS; Ctrl-C ends it, a second one without the task's 'finally'\n");
   };
   options.run.each_cycle = [&](const agent::Mission& mission) { ros->tell(mission); };
   return run_mission(options.run, body);

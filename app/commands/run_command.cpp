@@ -34,7 +34,8 @@ void add_run_command(CLI::App& app, int& exit_code) {
       "--seed 7 --result r.json\n"
       "          striate run corridor --robot pioneer "
       "--var \"way=20 m\"\n"
-      "Ctrl-C stops the robot, runs the task's 'finally' and still writes the result.\n"
+      "Ctrl-C stops the robot, runs the task's 'finally' and still writes the result; a second "
+      "one leaves 'finally' out, a third one ends the program at once, and the robot still stops.\n"
       "A robot that holds because the program stood still goes on after r and Enter, or the "
       "signal USR1.");
   command->add_option("task", options->run.mission.task, "the task script")->required();

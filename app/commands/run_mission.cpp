@@ -78,7 +78,7 @@ class Watchers {
     let_go_on();
     reports_.attempt(kStatus, [this] {
       if (const std::string said = speech_.news(mission_); !said.empty()) status_.tell(said);
-      if (status_.due()) status_.show(status_text(mission_));
+      if (status_.due()) status_.show(status_text(mission_, status_.columns()));
     });
   }
 

@@ -19,21 +19,42 @@ std::string collisions_text(const agent::RunResult& result) {
 
 }  // namespace
 
-std::string status_text(const agent::Mission& mission) {
+std::string fitting(const std::vector<StatusPart>& parts, std::size_t columns) {
+  std::vector<StatusPart> kept = parts;
+  const auto length = [&] {
+    std::size_t sum = 0;
+    for (const StatusPart& part : kept) sum += part.text.size();
+    return sum;
+  };
+  while (length() > columns) {
+    const auto least = std::ranges::max_element(kept, {}, &StatusPart::drops);
+    if (least->drops == 0) break;
+    kept.erase(least);
+  }
+  std::string text;
+  for (const StatusPart& part : kept) text += part.text;
+  return text;
+}
+
+std::string status_text(const agent::Mission& mission, std::size_t columns) {
   const agent::CognitiveCycle& cycle = mission.cycle();
   const agent::CycleTrace& trace = cycle.trace();
-  std::string text = fmt::format("{:5.1f} s  {:5.1f} m  {:.2f} m/s  ", to_seconds(trace.senses.now),
-                                 cycle.memory().progress_m(), trace.senses.odometry.forward_m_s);
   const bool real_time = mission.judge() == nullptr;
-  if (real_time) text += fmt::format("{:.1f} V  ", trace.senses.battery_v);
-  text += fmt::format("{:.1f} ms a cycle  ", mission.mean_cycle_ms());
-  if (!real_time) text += fmt::format("{:4.1f} x real time  ", mission.realtime_factor());
-  text += fmt::format("{}: {}", mission.executive().current_action(),
-                      agent::doing_text(trace.wish.why, trace.limited_by));
-  if (const std::string hold = mission.hold(); !hold.empty()) {
-    text += fmt::format(" [gate: {}]", hold);
+  std::vector<StatusPart> parts = {
+      {2, fmt::format("{:5.1f} s  ", to_seconds(trace.senses.now))},
+      {1, fmt::format("{:5.1f} m  ", cycle.memory().progress_m())},
+      {3, fmt::format("{:.2f} m/s  ", trace.senses.odometry.forward_m_s)}};
+  if (real_time) parts.push_back({4, fmt::format("{:.1f} V  ", trace.senses.battery_v)});
+  parts.push_back({5, fmt::format("{:.1f} ms a cycle  ", mission.mean_cycle_ms())});
+  if (!real_time) {
+    parts.push_back({6, fmt::format("{:4.1f} x real time  ", mission.realtime_factor())});
   }
-  return text;
+  if (const std::string hold = mission.hold(); !hold.empty()) {
+    parts.push_back({0, fmt::format("[gate: {}] ", hold)});
+  }
+  parts.push_back({0, fmt::format("{}: {}", mission.executive().current_action(),
+                                  agent::doing_text(trace.wish.why, trace.limited_by))});
+  return fitting(parts, columns);
 }
 
 std::string Speech::news(const agent::Mission& mission) {
@@ -62,6 +83,9 @@ std::string summary_text(const agent::RunResult& result) {
                       result.emergency_layer ? "" : " (sonar and laser are off)");
   if (result.from_start_m) {
     text += fmt::format("  ends              {:.2f} m from the start\n", *result.from_start_m);
+  }
+  if (!result.late_obstacles.empty()) {
+    text += fmt::format("  put down          {}\n", agent::late_obstacles_text(result));
   }
   text += fmt::format("  longest stand     {:.0f} s{}\n", result.longest_stand_s,
                       agent::stood_for(result));

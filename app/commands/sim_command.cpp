@@ -12,6 +12,7 @@
 #include "striate/app/pose_text.hpp"
 #include "striate/base/user_error.hpp"
 #include "striate/platform/simulator/render/renderer.hpp"
+#include "striate/platform/simulator/start_place.hpp"
 #include "striate/platform/simulator/world_reader.hpp"
 
 namespace striate::app {
@@ -19,6 +20,8 @@ namespace {
 
 /// Exposure control adapts from image to image; after these it has settled.
 constexpr int kSettlingImages = 12;
+/// By hand: half of the baseline, so that neither eye is within a thing.
+constexpr double kEyesRoom_m = 0.06;
 
 struct SimOptions {
   std::string world;
@@ -39,6 +42,7 @@ int render(const SimOptions& options) {
   const simulator::World world = simulator::load_world(options.world);
   const simulator::FloorPlan plan = simulator::build_floor_plan(world);
   const Pose2 along = options.at.empty() ? world.start : parse_pose(options.at);
+  simulator::check_place(world, "--at", along, simulator::disc({0.0, 0.0}, kEyesRoom_m));
   agent::RobotSettings settings = agent::load_robot_settings(options.robot);
   if (options.width_px > 0) settings.camera.width_px = options.width_px;
 

@@ -7,6 +7,7 @@
 
 #include "striate/agent/open_memory.hpp"
 #include "striate/agent/robot_settings.hpp"
+#include "striate/base/shell_text.hpp"
 #include "striate/base/user_error.hpp"
 #include "striate/memory/long_term/damage.hpp"
 #include "striate/platform/simulator/world_reader.hpp"
@@ -102,9 +103,9 @@ Finding look_at_memory(const std::string& file) {
         });
     if (damage.empty()) return {Grade::good, file, fmt::format("{} landmarks", landmarks), {}};
     return {Grade::wrong, file, damage.front(),
-            damage.size() > 1
-                ? fmt::format("{} more: striate memory {} check", damage.size() - 1, file)
-                : ""};
+            damage.size() > 1 ? fmt::format("{} more: striate memory {} check", damage.size() - 1,
+                                            shell_word(file))
+                              : ""};
   } catch (const UserError& error) {
     return {Grade::wrong, file, error.what(), "give another file, or a backup"};
   }

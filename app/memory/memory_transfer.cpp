@@ -7,9 +7,14 @@
 #include <unordered_map>
 
 #include "striate/agent/memory_json.hpp"
+#include "striate/agent/open_memory.hpp"
 #include "striate/app/memory/base64.hpp"
 #include "striate/app/memory/json_number.hpp"
+#include "striate/base/files.hpp"
 #include "striate/base/user_error.hpp"
+#include "striate/memory/long_term/memory_errors.hpp"
+#include "striate/memory/long_term/memory_file.hpp"
+#include "striate/memory/long_term/salvage.hpp"
 #include "striate/memory/long_term/teaching.hpp"
 #include "striate/memory/long_term/view_codec.hpp"
 
@@ -183,6 +188,30 @@ Json export_memory(memory::MemoryTables& tables) {
   }
   json["episodes"] = oldest_first(tables.sessions.episodes(-1));
   json["damaged_views_left_out"] = damaged;
+  return json;
+}
+
+Json export_readable(const std::string& file) {
+  const ScratchFolder scratch;
+  const std::string filled_up = scratch / "filled_up.db";
+  const bool whole = !memory::fill_up(file, filled_up);
+  Json json;
+  agent::with_memory(whole ? file : filled_up, memory::Access::read, "exporting it",
+                     [&](memory::MemoryTables& tables, memory::MemoryFile& opened) {
+                       try {
+                         json = export_memory(tables);
+                         return;
+                       } catch (const SQLite::Exception& error) {
+                         if (!memory::is_damage(error)) throw;
+                       }
+                       memory::MemoryFile copy(
+                           scratch / "readable.db",
+                           agent::memory_options(memory::Access::session, "striate memory"));
+                       const auto left_out = memory::salvage(opened.database(), copy.database());
+                       memory::MemoryTables copied(copy.database());
+                       json = export_memory(copied);
+                       json["rows_left_out"] = left_out;
+                     });
   return json;
 }
 

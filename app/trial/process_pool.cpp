@@ -3,13 +3,14 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <signal.h>
-#include <spawn.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <array>
 #include <cerrno>
 #include <chrono>
+#include <cstdio>
 #include <cstring>
 #include <map>
 #include <stdexcept>
@@ -36,35 +37,38 @@ void drain(Child& child) {
   }
 }
 
+/// The new process. It asks to be ended with this one, whatever ends that.
+[[noreturn]] void become(const std::vector<char*>& arguments, int error_fd, pid_t parent) {
+  // A process group of its own: Ctrl-C reaches the trial, which tells its runs.
+  setpgid(0, 0);
+  prctl(PR_SET_PDEATHSIG, SIGTERM);
+  if (getppid() != parent) _exit(1);  // it had ended before
+  const int nothing = open("/dev/null", O_RDWR);
+  dup2(nothing, STDIN_FILENO);
+  dup2(nothing, STDOUT_FILENO);
+  dup2(error_fd, STDERR_FILENO);
+  if (nothing > STDERR_FILENO) close(nothing);
+  execv(arguments[0], arguments.data());
+  dprintf(STDERR_FILENO, "%s cannot be started: %s\n", arguments[0], std::strerror(errno));
+  _exit(127);
+}
+
 pid_t start(const std::vector<std::string>& command, int& error_fd) {
   std::array<int, 2> pipe_fds{};
   if (pipe2(pipe_fds.data(), O_CLOEXEC | O_NONBLOCK) != 0) {
     throw std::runtime_error(fmt::format("no pipe for a run: {}", std::strerror(errno)));
   }
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-  posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
-  posix_spawn_file_actions_adddup2(&actions, pipe_fds[1], STDERR_FILENO);
-  // A process group of its own: Ctrl-C reaches the trial, which tells its runs.
-  posix_spawnattr_t attributes;
-  posix_spawnattr_init(&attributes);
-  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
-  posix_spawnattr_setpgroup(&attributes, 0);
   std::vector<char*> arguments;
   arguments.reserve(command.size() + 1);
   for (const std::string& word : command) arguments.push_back(const_cast<char*>(word.c_str()));
   arguments.push_back(nullptr);
-  pid_t pid = -1;
-  const int code =
-      posix_spawn(&pid, arguments[0], &actions, &attributes, arguments.data(), environ);
-  posix_spawn_file_actions_destroy(&actions);
-  posix_spawnattr_destroy(&attributes);
+  const pid_t parent = getpid();
+  const pid_t pid = fork();
+  if (pid == 0) become(arguments, pipe_fds[1], parent);
   close(pipe_fds[1]);
-  if (code != 0) {
+  if (pid < 0) {
     close(pipe_fds[0]);
-    throw std::runtime_error(
-        fmt::format("{} cannot be started: {}", command[0], std::strerror(code)));
+    throw std::runtime_error(fmt::format("no process for a run: {}", std::strerror(errno)));
   }
   error_fd = pipe_fds[0];
   return pid;

@@ -17,7 +17,8 @@ struct ProcessEnd {
 
 /// Runs commands in `jobs` processes at once and hands each end to `on_end`, in the order in
 /// which they end. Stops starting new ones, and asks the running ones to end, once
-/// `cancelled` says so. A crash of one run cannot take the others with it.
+/// `cancelled` says so. A crash of one run cannot take the others with it; the death of this
+/// process ends them all, as long as the thread that calls lives as long as the process.
 /// @throws std::runtime_error when no process can be started.
 void run_processes(const std::vector<std::vector<std::string>>& commands, int jobs,
                    const std::function<void(const ProcessEnd&)>& on_end,

@@ -14,6 +14,7 @@
 #include "striate/app/interrupt.hpp"
 #include "striate/app/status_line.hpp"
 #include "striate/app/trial/process_pool.hpp"
+#include "striate/app/trial/trial_folder.hpp"
 #include "striate/app/trial/trial_table.hpp"
 #include "striate/base/files.hpp"
 #include "striate/base/say.hpp"
@@ -79,6 +80,7 @@ class Trial {
  public:
   explicit Trial(const TrialOptions& options)
       : options_(options),
+        folder_(options.out),
         runs_(plan_trial(options)),
         results_(runs_.size()),
         status_(options.quiet) {
@@ -89,7 +91,6 @@ class Trial {
   }
 
   int run() {
-    std::filesystem::create_directories(options_.out + "/runs");
     const std::string program = std::filesystem::canonical("/proc/self/exe").string();
     std::vector<std::vector<std::string>> commands;
     for (const std::size_t i : missing_) {
@@ -163,6 +164,7 @@ class Trial {
   }
 
   const TrialOptions& options_;
+  TrialFolder folder_;
   std::vector<TrialRun> runs_;
   std::vector<std::optional<agent::RunResult>> results_;
   std::vector<std::size_t> missing_;

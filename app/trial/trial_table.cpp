@@ -9,6 +9,7 @@
 
 #include "striate/app/trial/trial_plan.hpp"
 #include "striate/base/plain_text.hpp"
+#include "striate/base/shell_text.hpp"
 
 namespace striate::app {
 namespace {
@@ -81,6 +82,18 @@ std::string long_stands(const std::vector<agent::RunResult>& results) {
     if (result.longest_stand_s <= kLong_s) continue;
     text += fmt::format("- {} seed {}, {:.0f} s{}\n", world_name(result.world), result.seed,
                         result.longest_stand_s, agent::stood_for(result));
+  }
+  return text;
+}
+
+/// What the world was to put into the way and did not: such a run shows nothing of how it is met.
+std::string never_put_down(const std::vector<agent::RunResult>& results) {
+  std::string text;
+  for (const agent::RunResult& result : results) {
+    for (const agent::LateObstacleRecord& late : result.late_obstacles) {
+      if (late.time_s) continue;
+      text += fmt::format("- {} seed {}: {}\n", world_name(result.world), result.seed, late.name);
+    }
   }
   return text;
 }
@@ -167,6 +180,8 @@ std::string trial_table(const std::vector<agent::RunResult>& results) {
   }
   const std::string failures = causes(results);
   if (!failures.empty()) text += "\nWhat went wrong:\n" + failures;
+  const std::string missed = never_put_down(results);
+  if (!missed.empty()) text += "\nTo be put down during the run, and never was:\n" + missed;
   const std::string stands = long_stands(results);
   if (!stands.empty()) text += "\nStood for more than 30 s:\n" + stands;
   return text;
@@ -176,16 +191,17 @@ std::string replay_commands(const std::vector<agent::RunResult>& results, const 
                             const std::string& memory, const std::vector<std::string>& plugins) {
   std::string text;
   std::string with_plugins;
-  for (const std::string& plugin : plugins) with_plugins += " --plugin " + plugin;
+  for (const std::string& plugin : plugins) with_plugins += " --plugin " + shell_word(plugin);
   for (const agent::RunResult& result : results) {
     if (result.outcome == agent::RunOutcome::success) continue;
     text += fmt::format(
-        "    striate run {} --world {} --seed {}{}{}{}{}{} --picture-every 10 --pictures "
-        "out/replay/{}_seed{:03d}\n",
-        result.task, result.world, result.seed, result.emergency_layer ? "" : " --no-emergency",
+        "    striate run {} --world {} --seed {}{}{}{}{}{} --picture-every 10 --pictures {}\n",
+        shell_word(result.task), shell_word(result.world), result.seed,
+        result.emergency_layer ? "" : " --no-emergency",
         result.baseline.empty() ? "" : " --baseline " + result.baseline,
-        robot.empty() ? "" : " --robot " + robot, memory.empty() ? "" : " --memory " + memory,
-        with_plugins, world_name(result.world), result.seed);
+        robot.empty() ? "" : " --robot " + shell_word(robot),
+        memory.empty() ? "" : " --memory " + shell_word(memory), with_plugins,
+        shell_word(fmt::format("out/replay/{}_seed{:03d}", world_name(result.world), result.seed)));
   }
   return text.empty() ? text : "\nTo see what failed again:\n" + text;
 }

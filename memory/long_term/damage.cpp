@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "striate/base/plain_text.hpp"
+#include "striate/base/shell_text.hpp"
 #include "striate/memory/long_term/view_codec.hpp"
 
 namespace striate::memory {
@@ -42,8 +43,8 @@ void check_views(SQLite::Database& database, std::vector<std::string>& damage) {
     if (!good) {
       damage.push_back(fmt::format(
           "landmark '{}', view {}: descriptors or keypoints do not match their checksum; the view "
-          "is not used; teach it again: striate teach \"{}\" --image PICTURE",
-          name, id, name));
+          "is not used; teach it again: striate teach {} --image PICTURE",
+          name, id, shell_word(name)));
     }
     if (crc32c(bytes_of(views.getColumn(7))) !=
         static_cast<std::uint32_t>(views.getColumn(8).getInt64())) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "striate/base/shell_text.hpp"
 #include "striate/base/user_error.hpp"
 #include "striate/config/quantity.hpp"
 #include "striate/memory/long_term/activation.hpp"
@@ -51,10 +52,8 @@ Landmark find_landmark(MemoryTables& tables, const std::string& name) {
 void forget(MemoryTables& tables, const std::string& name, const std::string& why) {
   Landmark landmark = find_landmark(tables, name);
   if (landmark.retired_s) {
-    throw UserError(
-        fmt::format("'{}' is forgotten already\n    'striate memory FILE restore "
-                    "\"{}\"' brings it back",
-                    name, name));
+    throw UserError(fmt::format("'{}' is forgotten already\n    '{}' brings it back", name,
+                                "striate memory FILE restore " + shell_word(name)));
   }
   landmark.retired_s = tables.sessions.operating_now_s();
   landmark.retired_why = why;

@@ -24,8 +24,9 @@ const char* what_and_cure(int code) {
     case SQLITE_NOTADB:
       return "this is no SQLite file, so it is no memory; name another file, or restore a copy";
     case SQLITE_CORRUPT:
-      return "the file is damaged; see 'striate memory FILE check', and restore a copy: a backup, "
-             "or a new memory with 'striate memory NEW import EXPORT.json'";
+      return "the file is damaged; see 'striate memory FILE check'; restore a copy, or save "
+             "what can be read: 'striate memory FILE export SAVED.json', and then 'striate memory "
+             "NEW import SAVED.json'";
     case SQLITE_CANTOPEN:
       return "it cannot be opened; is the path right, and may you read the file and its folder?";
     case SQLITE_IOERR:
@@ -39,10 +40,15 @@ const char* what_and_cure(int code) {
 
 }  // namespace
 
+bool is_damage(const SQLite::Exception& error) {
+  const int code = error.getErrorCode() & kPrimaryCode;
+  return code == SQLITE_CORRUPT || code == SQLITE_NOTADB || code == SQLITE_IOERR;
+}
+
 void throw_memory_error(const std::string& file, const std::string& doing,
                         const SQLite::Exception& error) {
   throw UserError(fmt::format("{}: error while {}: {}\n    {}", file, doing, error.what(),
-                              what_and_cure(error.getErrorCode() & 0xFF)));
+                              what_and_cure(error.getErrorCode() & kPrimaryCode)));
 }
 
 }  // namespace striate::memory

@@ -6,6 +6,11 @@
 
 namespace striate::memory {
 
+/// The part of SQLite's codes that tells the kind of an error.
+inline constexpr int kPrimaryCode = 0xFF;
+/// Something in the file cannot be read; the rest may be.
+[[nodiscard]] bool is_damage(const SQLite::Exception& error);
+
 /// Turns what SQLite says into a sentence for the person: what, where, how to mend.
 /// @param file the memory; @param doing "opening", "keeping 'book'", ...
 /// @throws UserError always.

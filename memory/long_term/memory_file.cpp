@@ -7,6 +7,7 @@
 
 #include <filesystem>
 
+#include "striate/base/shell_text.hpp"
 #include "striate/base/user_error.hpp"
 #include "striate/memory/long_term/damage.hpp"
 #include "striate/memory/long_term/memory_errors.hpp"
@@ -64,7 +65,7 @@ MemoryFile::MemoryFile(std::string path, const MemoryOptions& options) : path_(s
     throw UserError(
         fmt::format("{}: there is no such memory\n    teach something and it is made: "
                     "striate teach NAME --image PICTURE --memory {}",
-                    path_, path_));
+                    path_, shell_word(path_)));
   }
   try {
     open_database(options);
@@ -127,7 +128,7 @@ void MemoryFile::recognise(const MemoryOptions& options) {
       throw UserError(
           fmt::format("{}: empty, not a memory yet\n    teach something and it becomes "
                       "one: striate teach NAME --image PICTURE --memory {}",
-                      path_, path_));
+                      path_, shell_word(path_)));
     }
     create(options);
   } else {
@@ -153,7 +154,7 @@ void MemoryFile::check_version(const MemoryOptions& options, int version) {
           fmt::format("{}: version {}, newer than this program's {}; it was not touched"
                       "\n    it can be read (striate memory {} list); to write into it, "
                       "use a newer Striate",
-                      path_, version, options.version, path_));
+                      path_, version, options.version, shell_word(path_)));
     }
     notices_.push_back(
         fmt::format("{}: version {}, newer than this program's {}: only read; what "

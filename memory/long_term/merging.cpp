@@ -9,6 +9,7 @@
 #include <unordered_map>
 
 #include "striate/base/index_within.hpp"
+#include "striate/base/shell_text.hpp"
 #include "striate/memory/long_term/map_alignment.hpp"
 #include "striate/memory/long_term/merged_sessions.hpp"
 #include "striate/memory/long_term/teaching.hpp"
@@ -85,8 +86,8 @@ class Merger {
     merged_.remarks.push_back(
         fmt::format("'{}': no view of the one looks like any view of the other; if they are two "
                     "things, take the "
-                    "copy back and rename one first: striate memory FILE rename \"{}\" NEW",
-                    ours.name, ours.name));
+                    "copy back and rename one first: striate memory FILE rename {} NEW",
+                    ours.name, shell_word(ours.name)));
   }
 
   std::optional<Landmark> find_alike(const std::vector<StoredView>& views) {

@@ -23,6 +23,13 @@ class LateObstacles {
   const std::vector<std::size_t>& step(double now_s, double driven_m, const Pose2& robot);
   /// Those that are not there yet.
   [[nodiscard]] const std::vector<std::size_t>& absent() const { return absent_; }
+  /// Those that were put down during the run, in that order.
+  struct PutDown {
+    std::size_t obstacle;  ///< its place in `World::obstacles`
+    double time_s;
+    double driven_m;  ///< by the robot until then
+  };
+  [[nodiscard]] const std::vector<PutDown>& put_down() const { return put_down_; }
 
  private:
   struct Due {
@@ -33,8 +40,15 @@ class LateObstacles {
   std::vector<Due> dues_;  // of all obstacles
   std::vector<std::size_t> absent_;
   std::vector<std::size_t> fresh_;
+  std::vector<PutDown> put_down_;
 };
 
+/// It is not there at first.
+[[nodiscard]] inline bool comes_late(const WorldObstacle& obstacle) {
+  return obstacle.from_s > 0.0 || obstacle.appears_after_m > 0.0;
+}
+/// By their place in `World::obstacles`.
+[[nodiscard]] std::vector<std::size_t> late_obstacles_of(const World& world);
 /// The world without some of its obstacles.
 [[nodiscard]] World world_without(const World& world, const std::vector<std::size_t>& absent);
 /// The world with these of its obstacles alone, and without pillars.

@@ -6,7 +6,6 @@
 #include "striate/platform/simulator/camera_link.hpp"
 #include "striate/platform/simulator/dead_reckoning.hpp"
 #include "striate/platform/simulator/drive.hpp"
-#include "striate/platform/simulator/late_obstacles.hpp"
 #include "striate/platform/simulator/people.hpp"
 #include "striate/platform/simulator/physics.hpp"
 #include "striate/platform/simulator/range_finders.hpp"
@@ -173,6 +172,9 @@ SceneState SimulatedPioneer::scene() const {
 }
 const FloorPlan& SimulatedPioneer::plan() const {
   return parts_->plan;
+}
+const LateObstacles& SimulatedPioneer::late_obstacles() const {
+  return parts_->late;
 }
 
 bool SimulatedPioneer::sense(Senses& senses) {

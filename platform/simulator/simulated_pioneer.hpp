@@ -6,6 +6,7 @@
 #include "striate/platform/interface/robot.hpp"
 #include "striate/platform/simulator/image_source.hpp"
 #include "striate/platform/simulator/judge.hpp"
+#include "striate/platform/simulator/late_obstacles.hpp"
 #include "striate/platform/simulator/simulator_settings.hpp"
 #include "striate/platform/simulator/world.hpp"
 
@@ -36,6 +37,7 @@ class SimulatedPioneer : public Robot {
   /// Everything that moves, as it is now: for images of the run.
   [[nodiscard]] SceneState scene() const;
   [[nodiscard]] const FloorPlan& plan() const;
+  [[nodiscard]] const LateObstacles& late_obstacles() const;
 
  private:
   struct Parts;

@@ -6,6 +6,7 @@
 #include "striate/config/yaml.hpp"
 #include "striate/platform/interface/robot.hpp"
 #include "striate/platform/simulator/obstacle_shapes.hpp"
+#include "striate/platform/simulator/start_place.hpp"
 #include "striate/platform/simulator/static_shapes.hpp"
 #include "striate/platform/simulator/world_entry.hpp"
 
@@ -19,17 +20,6 @@ using config::Unit;
 
 /// A world is made for the default robot; a larger one may not fit in.
 constexpr RobotDescription kPioneer;
-
-/// The robot starts free of everything; `what` and `shape` name one thing that may be in the way.
-bool check_start_clear(WorldEntry& entry, const ConvexShape& robot, const std::string& what,
-                       const ConvexShape& shape) {
-  if (!entry.sound() || distance_m(robot, shape) > 0.0) return entry.sound();
-  entry.add("at", fmt::format("the start overlaps {}", what),
-            fmt::format("the robot reaches {} forward, {} back, and {} to either side",
-                        metres(kPioneer.front_m), metres(kPioneer.rear_m),
-                        metres(kPioneer.half_width_m)));
-  return false;
-}
 
 void read_start(MapReader& root, World& world) {
   const Node* node = root.raw("start");
@@ -50,16 +40,12 @@ void read_start(MapReader& root, World& world) {
   Pose2 pose = plan.at(world.start.x_m, world.start.y_m);
   pose.heading_rad += world.start.heading_rad;
   const ConvexShape robot = moved(robot_footprint(kPioneer), pose);
-  for (const StaticShape& wall : wall_shapes(plan)) {
-    check_start_clear(entry, robot, "a wall", wall.shape);
-  }
-  for (const StaticShape& thing : standing_shapes(world, plan)) {
-    check_start_clear(entry, robot, thing.name, thing.shape);
-  }
-  for (const Stander& stander : world.standers) {
-    const Pose2 at = plan.at(stander.at.x_m, stander.at.y_m);
-    check_start_clear(entry, robot, "a person", disc({at.x_m, at.y_m}, kPersonRadius_m));
-  }
+  const std::string hit = overlapped_by(world, plan, robot);
+  if (hit.empty()) return;
+  entry.add("at", fmt::format("the start overlaps {}", hit),
+            fmt::format("the robot reaches {} forward, {} back, and {} to either side",
+                        metres(kPioneer.front_m), metres(kPioneer.rear_m),
+                        metres(kPioneer.half_width_m)));
 }
 
 void read_goal(MapReader& root, World& world) {

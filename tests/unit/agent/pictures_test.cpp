@@ -3,6 +3,7 @@
 #include <opencv2/core.hpp>
 
 #include "striate/agent/pictures/disparity_colours.hpp"
+#include "striate/agent/pictures/label_places.hpp"
 #include "striate/agent/pictures/overview.hpp"
 #include "striate/agent/pictures/plan_of_columns.hpp"
 #include "striate/agent/pictures/scene_pictures.hpp"
@@ -49,6 +50,29 @@ StereoFrame grey_frame() {
   frame.focal_px = 406.0;
   frame.baseline_m = 0.12;
   return frame;
+}
+
+TEST(LabelPlaces, LieOnNothingThatIsToBeSeenAndNotOnEachOther) {
+  LabelPlaces places({400, 200});
+  // A driven path across the picture, and a thing right above the anchor.
+  places.taken()(cv::Rect(0, 98, 400, 5)).setTo(255);
+  places.taken()(cv::Rect(180, 60, 40, 30)).setTo(255);
+  const cv::Mat1b before = places.taken().clone();
+  std::vector<cv::Rect> taken;
+  for (const cv::Point anchor : {cv::Point(200, 100), {200, 100}, {210, 95}, {399, 0}, {0, 199}}) {
+    const cv::Rect place = places.take(anchor, {70, 14});
+    EXPECT_EQ(place & cv::Rect(0, 0, 400, 200), place);
+    EXPECT_EQ(cv::countNonZero(before(place)), 0) << place;
+    for (const cv::Rect& other : taken) EXPECT_TRUE((place & other).empty()) << place << other;
+    taken.push_back(place);
+  }
+}
+
+TEST(LabelPlaces, CoverLeastWhereThereIsNoRoomAndAreNeverLargerThanThePicture) {
+  LabelPlaces places({50, 40});
+  places.taken().setTo(255);
+  EXPECT_EQ(places.take({-10, 500}, {20, 10}).size(), cv::Size(20, 10));
+  EXPECT_EQ(places.take({25, 20}, {300, 90}), cv::Rect(0, 0, 50, 40));
 }
 
 TEST(DisparityColours, NearIsRedFarIsBlueAndUnknownIsDark) {

@@ -1,9 +1,12 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <poll.h>
 #include <sys/resource.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
+#include <array>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
@@ -12,6 +15,7 @@
 #include "striate/agent/run_result.hpp"
 #include "striate/app/pose_text.hpp"
 #include "striate/app/trial/process_pool.hpp"
+#include "striate/app/trial/trial_folder.hpp"
 #include "striate/app/trial/trial_merge.hpp"
 #include "striate/app/trial/trial_plan.hpp"
 #include "striate/app/trial/trial_table.hpp"
@@ -139,10 +143,14 @@ TEST(RunResult, JsonRoundTripKeepsEverything) {
   result.reason = "a \"quoted\" reason";
   result.emergency_layer = false;
   result.longest_stand_why = "looks round for a gap";
+  result.late_obstacles = {{"new_box", 41.5, 6.5}, {"new_chair", std::nullopt, 0.0}};
   const agent::RunResult back =
       agent::run_result_from_json(nlohmann::json::parse(agent::to_json(result).dump()));
   EXPECT_EQ(agent::to_json(back).dump(), agent::to_json(result).dump());
   EXPECT_EQ(back.longest_stand_why, "looks round for a gap");
+  ASSERT_EQ(back.late_obstacles.size(), 2U);
+  EXPECT_EQ(late_obstacles_text(back), "new_box after 42 s, new_chair never");
+  EXPECT_THAT(trial_table({back}), HasSubstr("never was:\n- corridor_b seed 7: new_chair\n"));
   EXPECT_THROW((void)agent::run_result_from_json(nlohmann::json::parse("{\"outcome\": 3}")),
                std::runtime_error);
 }
@@ -197,6 +205,11 @@ TEST(TrialPlan, EveryRunAndItsRepetitionHaveThePluginsOfTheTrial) {
   EXPECT_THAT(line, HasSubstr("--plugin a.so --plugin b.so"));
   EXPECT_THAT(replay_commands({run("corridor_a", 2, false)}, "", "", options.plugins),
               HasSubstr("--plugin a.so --plugin b.so --picture-every"));
+  agent::RunResult odd = run("corridor_a", 2, false);
+  odd.world = "my worlds/it's.yaml";
+  EXPECT_THAT(replay_commands({odd}, "a b.yaml"),
+              testing::AllOf(HasSubstr("--world 'my worlds/it'\\''s.yaml' --seed 2"),
+                             HasSubstr("--robot 'a b.yaml'")));
 }
 
 TEST(ProcessPool, RunsAllAndTellsHowEachEnded) {
@@ -215,6 +228,46 @@ TEST(ProcessPool, RunsAllAndTellsHowEachEnded) {
       [] { return false; });
   EXPECT_THAT(codes, testing::ElementsAre(0, 3, -1, 1));
   EXPECT_EQ(said, "oops\n");
+}
+
+/// A run whose trial was killed would go on unseen, and beside it the one that is started in its
+/// place.
+TEST(ProcessPool, WhatItStartedEndsWithItWhateverEndsIt) {
+  std::array<int, 2> ends{};
+  ASSERT_EQ(pipe(ends.data()), 0);
+  const pid_t parent = fork();
+  if (parent == 0) {
+    close(ends[0]);
+    const std::string tell = "echo $$ >&" + std::to_string(ends[1]) + "; exec sleep 60";
+    run_processes(
+        {{"/bin/sh", "-c", tell}}, 1, [](const ProcessEnd&) {}, [] { return false; });
+    _exit(0);
+  }
+  close(ends[1]);
+  std::array<char, 32> said{};
+  ASSERT_GT(read(ends[0], said.data(), said.size() - 1), 0);
+  kill(parent, SIGKILL);
+  waitpid(parent, nullptr, 0);
+  // The child holds the other end of the pipe until it ends.
+  pollfd closed{ends[0], POLLIN, 0};
+  EXPECT_EQ(poll(&closed, 1, 5000), 1) << "it goes on: " << said.data();
+  close(ends[0]);
+}
+
+TEST(Trial, TwoAtOnceDoNotWriteIntoOneFolder) {
+  const std::string out = testing::TempDir() + "one_trial";
+  std::filesystem::remove_all(out);
+  {
+    const TrialFolder one(out);
+    try {
+      const TrialFolder other(out);
+      ADD_FAILURE() << "no error";
+    } catch (const UserError& error) {
+      EXPECT_THAT(error.what(), HasSubstr("another trial is writing into it"));
+    }
+  }
+  const TrialFolder again(out);
+  EXPECT_TRUE(std::filesystem::is_directory(out + "/runs"));
 }
 
 TEST(ProcessPool, CancellingEndsTheRunningAndStartsNoMore) {

@@ -29,6 +29,8 @@ TEST(LateObstacles, ComeAfterTheirTimeAndTheirWay) {
   EXPECT_EQ(late.step(62.0, 5.0, {}).size(), 1U);
   EXPECT_TRUE(late.absent().empty());
   EXPECT_TRUE(late.step(63.0, 5.0, {}).empty()) << "once";
+  ASSERT_EQ(late.put_down().size(), 1U);
+  EXPECT_EQ(late.put_down()[0].time_s, 62.0);
 }
 
 TEST(LateObstacles, NeverComeWhereTheRobotCouldNotStop) {
