@@ -78,8 +78,9 @@ void write_file(const fs::path& path, const std::string& content) {
   }
   fs::rename(beside, path, code);
   if (code) {
-    throw std::runtime_error(
-        fmt::format("{}: cannot be written: {}", path.string(), code.message()));
+    const std::string why = code.message();
+    fs::remove(beside, code);
+    throw std::runtime_error(fmt::format("{}: cannot be written: {}", path.string(), why));
   }
 }
 

@@ -42,6 +42,7 @@ Ended ended(const Become& become, std::chrono::milliseconds signal_after = {}) {
   const TemporaryFolder folder;
   const std::string out_file = folder / "out";
   const std::string err_file = folder / "err";
+  std::fflush(nullptr);  // else the copy of this process would write it, too
   const pid_t child = fork();
   if (child == 0) {
     if (chdir(STRIATE_SOURCE_DIR) != 0 || freopen(out_file.c_str(), "w", stdout) == nullptr ||
