@@ -2,12 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <boost/asio/ip/address.hpp>
 #include <cstdio>
+#include <map>
 
 #include "striate/agent/robot_settings.hpp"
 #include "striate/app/interrupt.hpp"
 #include "striate/base/say.hpp"
 #include "striate/base/user_error.hpp"
+#include "striate/platform/pioneer/robot_model.hpp"
 #include "striate/platform/served/robot_server.hpp"
 #include "striate/platform/simulator/render/renderer_images.hpp"
 #include "striate/platform/simulator/world_reader.hpp"
@@ -16,6 +19,16 @@ namespace striate::app {
 namespace {
 
 constexpr const char* kGroup = "Serving";
+
+/// Who can connect can drive: there is no password in any of these protocols.
+void warn_of_the_network(const std::string& address) {
+  boost::system::error_code error;
+  const auto listens = boost::asio::ip::make_address(address, error);
+  if (error || listens.is_loopback()) return;
+  say(stderr, fmt::format("warning: --listen {} lets everybody on the network drive this robot, "
+                          "since nothing asks for a password\n",
+                          address));
+}
 
 }  // namespace
 
@@ -38,10 +51,24 @@ void add_serve_options(CLI::App& command, ServeOptions& options) {
       ->check(CLI::Range(0, 65532))
       ->group(group)
       ->capture_default_str();
-  command.add_option("--kind", options.kind, "the Pioneer's kind")
-      ->check(CLI::IsMember({"p3dx", "p3dx-sh"}))
+  command
+      .add_option("--kind", options.kind,
+                  "the Pioneer's kind: p3dx or p3dx-sh, also with ARIA's name of a laser behind it")
+      ->check(CLI::Validator(
+          [](const std::string& kind) {
+            return pioneer::find_model(kind) != nullptr
+                       ? std::string()
+                       : fmt::format("{}: not one of {}", kind, pioneer::known_models());
+          },
+          "KIND"))
       ->group(group)
       ->capture_default_str();
+  static const std::map<std::string, pioneer::LaserKind> kLasers{
+      {"hokuyo", pioneer::LaserKind::hokuyo}, {"lms200", pioneer::LaserKind::lms200}};
+  command.add_option("--laser", options.laser, "the laser on the laser's line: hokuyo or lms200")
+      ->transform(CLI::CheckedTransformer(kLasers))
+      ->group(group)
+      ->default_str("hokuyo");
   served::LineFaults& faults = options.faults;
   command.add_option("--loss", faults.loss, "share of packets that never come, 0 .. 1")
       ->check(CLI::Range(0.0, 1.0))
@@ -90,9 +117,10 @@ void ServeOptions::check() const {
 int serve(const ServeOptions& options) {
   const simulator::World world = simulator::load_world(options.world);
   const agent::RobotSettings settings = agent::load_robot_settings(options.robot);
-  pioneer::FirmwareSettings firmware;
-  firmware.subclass = options.kind;
-  served::ServedPioneer robot(world, options.seed, settings.simulator, firmware,
+  served::ServedDevices devices;
+  devices.base.subclass = options.kind;
+  devices.laser = options.laser;
+  served::ServedPioneer robot(world, options.seed, settings.simulator, devices,
                               agent::simulated_robot(settings));
   served::ServeSettings serving;
   serving.address = options.address;
@@ -112,6 +140,7 @@ int serve(const ServeOptions& options) {
       fmt::format(
           "a {} in {}; Ctrl-C ends it\n  base    {}\n  turret  {}\n  laser   {}\n  camera  {}\n",
           options.kind, world.name, urls.base, urls.turret, urls.laser, urls.camera));
+  warn_of_the_network(options.address);
   server.run([] { return !Interrupt::requested(); });
   return 0;
 }

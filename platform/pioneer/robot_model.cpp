@@ -12,11 +12,17 @@ const std::array<RobotModel, 2>& models() {
   return known;
 }
 
+/// ARIA's names tell a laser behind the kind: p3dx-sh-lms500. It changes nothing of the base.
+std::string without_laser(const std::string& subclass) {
+  return subclass.substr(0, subclass.find("-lms"));
+}
+
 }  // namespace
 
 const RobotModel* find_model(const std::string& subclass) {
+  const std::string kind = without_laser(subclass);
   for (const RobotModel& model : models()) {
-    if (model.subclass == subclass) return &model;
+    if (model.subclass == kind) return &model;
   }
   return nullptr;
 }

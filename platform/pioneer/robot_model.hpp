@@ -18,6 +18,7 @@ struct RobotModel {
   double most_turn_deg_s = 500.0;
 };
 
+/// The kind that a subclass names, with or without the laser that it carries ("p3dx-sh-lms1xx").
 /// Null: unknown.
 [[nodiscard]] const RobotModel* find_model(const std::string& subclass);
 /// "p3dx, p3dx-sh"

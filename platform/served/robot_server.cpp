@@ -42,6 +42,7 @@ struct RobotServer::Parts {
   void serve_devices();
   void serve_images();
   void answer_camera(ByteView bytes);
+  void tend_lines();
   void watch_the_judge();
   void one_step();
   void tell();
@@ -85,12 +86,23 @@ RobotServer::Parts::Parts(ServedPioneer& robot_in, simulator::ImageSource* pictu
                           const ServeSettings& settings_in, Log log_in)
     : robot(robot_in), settings(settings_in), log(std::move(log_in)) {
   const auto to_base = [this](ByteView bytes) { to_robot->put(bytes, connected_s()); };
-  base = line("base", 0, {[this] { greet(); }, to_base, log});
+  // A base streams to whoever has opened a session, but such a client must speak, too.
+  base = line("base", 0,
+              {[this] { greet(); }, to_base, log,
+               [this] {
+                 return Dealings{robot.firmware().counters().packets, false};
+               }});
   turret = line("turret", kTurretPort,
-                {[] {}, [this](ByteView bytes) { robot.servos().receive(bytes); }, log});
+                {[] {}, [this](ByteView bytes) { robot.servos().receive(bytes); }, log,
+                 [this] {
+                   return Dealings{robot.servos().understood(), false};
+                 }});
   laser = line("laser", kLaserPort,
                {[this] { robot.laser().reboot(); },
-                [this](ByteView bytes) { robot.laser().receive(bytes); }, log});
+                [this](ByteView bytes) { robot.laser().receive(bytes); }, log,
+                [this] {
+                  return Dealings{robot.laser().understood(), robot.laser().streams()};
+                }});
   urls = {base->url(), turret->url(), laser->url(), {}};
   if (pictures == nullptr) return;
   const auto new_client = [this] {
@@ -98,7 +110,10 @@ RobotServer::Parts::Parts(ServedPioneer& robot_in, simulator::ImageSource* pictu
     camera_tells_time = false;
   };
   camera = line("camera", kCameraPort,
-                {new_client, [this](ByteView bytes) { answer_camera(bytes); }, log});
+                {new_client, [this](ByteView bytes) { answer_camera(bytes); }, log,
+                 [] {
+                   return Dealings{0, true};
+                 }});
   urls.camera = camera->url();
   feed.emplace(*pictures, [this](Bytes bytes, TimePoint exposed_at) {
     asio::post(io, [this, packet = Packet{std::move(bytes), exposed_at}]() mutable {
@@ -113,6 +128,7 @@ std::unique_ptr<ServedLine> RobotServer::Parts::line(const std::string& name, in
   place.name = name;
   place.address = settings.address;
   place.port = settings.port == 0 ? 0 : settings.port + port_after_base;
+  place.idle_limit = settings.idle_limit;
   place.pty = settings.pty && port_after_base != kCameraPort;
   if (port_after_base == kCameraPort) place.most_waiting = kMostImages;
   return std::make_unique<ServedLine>(io, std::move(place), std::move(events));
@@ -189,6 +205,12 @@ void RobotServer::Parts::watch_the_judge() {
   }
 }
 
+void RobotServer::Parts::tend_lines() {
+  for (ServedLine* line : {base.get(), turret.get(), laser.get(), camera.get()}) {
+    if (line != nullptr) line->tend();
+  }
+}
+
 void RobotServer::Parts::one_step() {
   if (to_robot) {
     const Bytes bytes = to_robot->take(connected_s());
@@ -198,6 +220,7 @@ void RobotServer::Parts::one_step() {
   serve_base();
   serve_devices();
   serve_images();
+  tend_lines();
   watch_the_judge();
   tell();
 }

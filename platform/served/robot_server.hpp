@@ -6,6 +6,7 @@
 #include <string>
 
 #include "striate/platform/served/line_faults.hpp"
+#include "striate/platform/served/served_line.hpp"
 #include "striate/platform/served/served_pioneer.hpp"
 #include "striate/platform/simulator/image_source.hpp"
 
@@ -27,6 +28,8 @@ struct ServeSettings {
   DeviceFaults devices{};
   std::uint64_t seed = 1;         ///< of the faults
   double camera_latency_s = 0.0;  ///< from light to the image's packet, at least
+  /// So long a client may say nothing that its device understands, see ServedLine
+  std::chrono::milliseconds idle_limit = ServedPlace{}.idle_limit;
 };
 
 /// The truth about the served robot, from any thread.

@@ -1,11 +1,13 @@
 #include "striate/platform/served/served_line.hpp"
 
 #include <fmt/format.h>
+#include <poll.h>
 
 #include <array>
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/posix/stream_descriptor.hpp>
 #include <boost/asio/write.hpp>
+#include <chrono>
 #include <optional>
 #include <stdexcept>
 
@@ -17,6 +19,16 @@ namespace {
 namespace asio = boost::asio;
 using boost::system::error_code;
 using Tcp = asio::ip::tcp;
+using Steady = std::chrono::steady_clock;
+
+/// Longer than a client that says nothing is borne, so that whoever waits behind it is served
+constexpr auto kWaitsLonger = std::chrono::seconds(2);
+
+/// It has closed its end, whatever it had said before.
+bool has_hung_up(Tcp::socket& socket) {
+  pollfd looked{socket.native_handle(), POLLRDHUP, 0};
+  return ::poll(&looked, 1, 0) > 0;
+}
 
 }  // namespace
 
@@ -26,13 +38,18 @@ struct ServedLine::Parts {
         events(std::move(events_in)),
         acceptor(io),
         client(io),
+        next(io),
         terminal(io) {}
 
   void listen();
   void open_terminal();
   void accept();
+  void take(Tcp::socket socket);
   void greet(Tcp::socket socket);
   void let_go(const std::string& why);
+  void call_next();
+  void tend();
+  void tend_client(Steady::time_point now);
   template <class Stream>
   void read_on(Stream& stream);
   template <class Stream>
@@ -43,6 +60,11 @@ struct ServedLine::Parts {
   Events events;
   Tcp::acceptor acceptor;
   Tcp::socket client;
+  Tcp::socket next;  ///< waits for the client to go; closed: nobody does
+  Steady::time_point next_since;
+  Steady::time_point last_word;  ///< of the client, or of the device's stream
+  std::uint64_t words_at_first = 0;
+  std::uint64_t words = 0;
   asio::posix::stream_descriptor terminal;
   std::optional<PseudoTerminal> pty;
   std::string url;
@@ -91,13 +113,20 @@ void ServedLine::Parts::accept() {
     }
     if (gone) {
       log("a client went before it was taken");
-    } else if (has_client) {
-      log("a second client was turned away");
     } else {
-      greet(std::move(socket));
+      take(std::move(socket));
     }
     accept();
   });
+}
+
+void ServedLine::Parts::take(Tcp::socket socket) {
+  if (next.is_open() && has_hung_up(next)) next.close();
+  if (!has_client) return greet(std::move(socket));
+  if (next.is_open()) return log("a third client was turned away");
+  next = std::move(socket);
+  next_since = Steady::now();
+  log("a second client waits");
 }
 
 void ServedLine::Parts::greet(Tcp::socket socket) {
@@ -109,6 +138,8 @@ void ServedLine::Parts::greet(Tcp::socket socket) {
   writing = false;
   log("a client has connected");
   events.connected();
+  last_word = Steady::now();
+  words = words_at_first = events.dealings().understood;
   read_on(client);
 }
 
@@ -119,6 +150,38 @@ void ServedLine::Parts::let_go(const std::string& why) {
   error_code ignored;
   client.close(ignored);
   log("the client is gone: " + why);
+  call_next();
+}
+
+/// What somebody said who has hung up since is not obeyed.
+void ServedLine::Parts::call_next() {
+  if (has_client || !next.is_open()) return;
+  if (has_hung_up(next)) {
+    error_code ignored;
+    next.close(ignored);
+    log("the second client went before it was its turn");
+    return;
+  }
+  greet(std::move(next));
+}
+
+void ServedLine::Parts::tend() {
+  if (pty) return;
+  const Steady::time_point now = Steady::now();
+  if (has_client) tend_client(now);
+  if (!next.is_open() || now - next_since <= place.idle_limit + kWaitsLonger) return;
+  error_code ignored;
+  next.close(ignored);
+  log("the second client was turned away: the first one works on");
+}
+
+void ServedLine::Parts::tend_client(Steady::time_point now) {
+  const Dealings dealings = events.dealings();
+  if (dealings.understood != words || dealings.streams) last_word = now;
+  words = dealings.understood;
+  if (now - last_word <= place.idle_limit) return;
+  const bool spoke = words != words_at_first;
+  if (!spoke || next.is_open()) let_go("it says nothing");
 }
 
 template <class Stream>
@@ -167,6 +230,10 @@ bool ServedLine::has_client() const {
 
 bool ServedLine::idle() const {
   return !parts_->writing && parts_->outbox.empty();
+}
+
+void ServedLine::tend() {
+  parts_->tend();
 }
 
 void ServedLine::let_go(const std::string& why) {

@@ -37,13 +37,12 @@ double range_from(const Pose2& sensor, const RangeReading& seen) {
 
 ServedPioneer::ServedPioneer(const simulator::World& world, std::uint64_t seed,
                              const simulator::SimulatorSettings& settings,
-                             const pioneer::FirmwareSettings& firmware,
-                             const RobotDescription& robot)
+                             const ServedDevices& devices, const RobotDescription& robot)
     : sonar_mounts_(simulator::sonar_mounts(robot)),
-      laser_mount_(simulator::laser_mount(robot)),
       body_(world, seed, for_serving(settings), nullptr, with_motors(robot)),
-      firmware_(firmware),
+      firmware_(devices.base),
       servos_({pioneer::ServoModel(1, 0.0), pioneer::ServoModel(2, 0.0)}),
+      laser_(devices.laser),
       camera_(seed, settings.sensors, settings.faults),
       laser_range_m_(settings.sensors.laser_range_m) {}
 
@@ -59,37 +58,11 @@ void ServedPioneer::hand_over_laser() {
   if (!firmware_.laser_wanted() || now() < next_laser_) return;
   next_laser_ = now() + kLaserPeriod;
   std::vector<std::uint16_t> ranges_mm;
-  ranges_mm.reserve(senses_.laser.readings.size());
-  for (const RangeReading& seen : senses_.laser.readings) {
-    const double range_m = std::min(range_from(laser_mount_, seen), laser_range_m_);
+  for (const double bearing_rad : firmware_.laser_bearings_rad()) {
+    const double range_m = std::min(body_.laser_range_m(bearing_rad), laser_range_m_);
     ranges_mm.push_back(static_cast<std::uint16_t>(std::lround(1000.0 * range_m)));
   }
   firmware_.laser(ranges_mm);
-}
-
-/// The simulated laser's nearest ray; beyond the front half circle it sees nothing.
-double ServedPioneer::laser_range_m(double bearing_rad) const {
-  const auto& readings = senses_.laser.readings;
-  const auto last = static_cast<double>(readings.size()) - 1.0;
-  const double at = (bearing_rad + radians(90.0)) / radians(180.0) * last;
-  if (readings.empty() || at < -0.5 || at > last + 0.5) return 0.0;
-  const auto index = static_cast<std::size_t>(std::lround(std::clamp(at, 0.0, last)));
-  return range_from(laser_mount_, readings[index]);
-}
-
-void ServedPioneer::turn_the_urg() {
-  const pioneer::scip::Parameters& urg = urg_.parameters();
-  urg_.set_time(now());
-  if (!urg_.measures(now())) return;
-  urg_ranges_mm_.clear();
-  for (int step = urg.first_step; step <= urg.last_step; ++step) {
-    const double range_mm =
-        1000.0 * laser_range_m(radians(360.0 * (step - urg.front_step) / urg.steps_a_turn));
-    // Nothing within range is told as a range that is too short to be one.
-    urg_ranges_mm_.push_back(range_mm > urg.farthest_mm ? 0
-                                                        : static_cast<int>(std::lround(range_mm)));
-  }
-  urg_.step(now(), urg_ranges_mm_);
 }
 
 void ServedPioneer::step() {
@@ -98,10 +71,11 @@ void ServedPioneer::step() {
               .turn_rad_s = firmware_.turn_rad_s(),
               .pan_rad = servos_.servos[0].angle_rad(),
               .tilt_rad = servos_.servos[1].angle_rad()});
+  if (const auto place = firmware_.take_new_place()) body_.put_at(*place);
   body_.sense(senses_);
   hand_over_sonar();
   hand_over_laser();
-  turn_the_urg();
+  laser_.step(now(), [this](double bearing_rad) { return body_.laser_range_m(bearing_rad); });
   pioneer::FirmwareSenses felt;
   felt.odometry = senses_.odometry;
   felt.battery_v = senses_.battery_v;
@@ -109,7 +83,9 @@ void ServedPioneer::step() {
   // The bumper rings touch on the side that the robot drives to.
   felt.bumper_front = senses_.bumper && firmware_.forward_m_s() >= 0.0;
   felt.bumper_rear = senses_.bumper && firmware_.forward_m_s() < 0.0;
-  felt.true_pose = true_pose();
+  const simulator::SceneState truth = body_.scene();
+  felt.true_pose = truth.robot;
+  felt.true_turn_rad_s = truth.turn_rad_s;
   firmware_.step(now(), kStep, felt);
 }
 

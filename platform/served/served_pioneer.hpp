@@ -2,12 +2,18 @@
 
 #include "striate/platform/pioneer/firmware/arcos_firmware.hpp"
 #include "striate/platform/pioneer/firmware/servo_bus.hpp"
-#include "striate/platform/pioneer/firmware/urg_device.hpp"
+#include "striate/platform/served/served_laser.hpp"
 #include "striate/platform/simulator/camera_link.hpp"
 #include "striate/platform/simulator/range_finders.hpp"
 #include "striate/platform/simulator/simulated_pioneer.hpp"
 
 namespace striate::served {
+
+/// Which of a Pioneer's devices are served.
+struct ServedDevices {
+  pioneer::FirmwareSettings base{};
+  pioneer::LaserKind laser = pioneer::LaserKind::hokuyo;  ///< on a line of its own
+};
 
 /// The simulated Pioneer under a real Pioneer's devices: what controller and servos make of the
 /// client's bytes moves the simulated wheels and head, and what the simulated body feels goes into
@@ -15,8 +21,8 @@ namespace striate::served {
 class ServedPioneer {
  public:
   ServedPioneer(const simulator::World& world, std::uint64_t seed,
-                const simulator::SimulatorSettings& settings,
-                const pioneer::FirmwareSettings& firmware, const RobotDescription& robot = {});
+                const simulator::SimulatorSettings& settings, const ServedDevices& devices,
+                const RobotDescription& robot = {});
 
   /// Of physics, as the simulated Pioneer's (10 ms)
   static constexpr Duration kStep = std::chrono::milliseconds(10);
@@ -27,7 +33,9 @@ class ServedPioneer {
   [[nodiscard]] const pioneer::ArcosFirmware& firmware() const { return firmware_; }
   /// Pan (id 1) and tilt (id 2).
   [[nodiscard]] pioneer::ServoBus& servos() { return servos_; }
-  [[nodiscard]] pioneer::UrgDevice& laser() { return urg_; }
+  [[nodiscard]] const pioneer::ServoBus& servos() const { return servos_; }
+  [[nodiscard]] ServedLaser& laser() { return laser_; }
+  [[nodiscard]] const ServedLaser& laser() const { return laser_; }
   /// A image is to be taken of this moment. Ask once after each step.
   [[nodiscard]] bool exposes() { return camera_.due(to_seconds(now())); }
   [[nodiscard]] simulator::SceneState scene() const { return body_.scene(); }
@@ -40,20 +48,16 @@ class ServedPioneer {
  private:
   void hand_over_sonar();
   void hand_over_laser();
-  void turn_the_urg();
-  [[nodiscard]] double laser_range_m(double bearing_rad) const;
 
   std::array<Pose2, kSonarDiscs> sonar_mounts_;
-  Pose2 laser_mount_;
   simulator::SimulatedPioneer body_;
   pioneer::ArcosFirmware firmware_;
   pioneer::ServoBus servos_;
-  pioneer::UrgDevice urg_;
+  ServedLaser laser_;
   simulator::CameraLink camera_;
   Senses senses_;
   TimePoint sonar_stamp_;
   TimePoint next_laser_;
-  std::vector<int> urg_ranges_mm_;
   double laser_range_m_;
 };
 

@@ -153,6 +153,10 @@ void Physics::step(double dt_s, double forward_m_s, double turn_rad_s,
   parts_->world.Step(static_cast<float>(dt_s), 8, 3);
 }
 
+void Physics::put_robot(const Pose2& pose) {
+  parts_->robot->SetTransform(vec({pose.x_m, pose.y_m}), static_cast<float>(pose.heading_rad));
+}
+
 Pose2 Physics::robot() const {
   const b2Vec2& at = parts_->robot->GetPosition();
   return {at.x, at.y, wrap_angle(parts_->robot->GetAngle())};

@@ -47,6 +47,9 @@ class Physics {
   /// More obstacles stand there from now on.
   void add_obstacles(const World& new_ones, const FloorPlan& plan);
 
+  /// Puts the robot elsewhere, as a hand does that lifts it; it goes on as fast as it went.
+  void put_robot(const Pose2& pose);
+
   [[nodiscard]] Pose2 robot() const;
   /// How fast the robot really went in the last step; forward and turning.
   [[nodiscard]] double forward_m_s() const;

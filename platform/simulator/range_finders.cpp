@@ -92,19 +92,22 @@ RangeScan Laser::sweep(TimePoint now, const Physics& physics) {
   RangeScan scan;
   scan.stamp = now;
   scan.readings.reserve(181);
-  const Pose2 outer = transform(physics.robot(), mount_);
-  for (int degree = -90; degree <= 90; ++degree, ++rays_) {
+  for (int degree = -90; degree <= 90; ++degree) {
     const double bearing = radians(degree);
-    double distance =
-        physics.ray({outer.x_m, outer.y_m}, outer.heading_rad + bearing, settings_.laser_range_m)
-            .distance_m;
-    if (std::isfinite(distance)) {
-      distance =
-          std::max(kLaserNearest_m, distance + settings_.laser_noise_m * random_.normal(rays_));
-    }
-    scan.readings.push_back(seen_from_axle({mount_.x_m, mount_.y_m, bearing}, distance));
+    scan.readings.push_back(
+        seen_from_axle({mount_.x_m, mount_.y_m, bearing}, range_m(bearing, physics)));
   }
   return scan;
+}
+
+double Laser::range_m(double bearing_rad, const Physics& physics) {
+  const Pose2 outer = transform(physics.robot(), mount_);
+  const std::uint64_t number = rays_++;
+  const double distance =
+      physics.ray({outer.x_m, outer.y_m}, outer.heading_rad + bearing_rad, settings_.laser_range_m)
+          .distance_m;
+  if (!std::isfinite(distance)) return distance;
+  return std::max(kLaserNearest_m, distance + settings_.laser_noise_m * random_.normal(number));
 }
 
 }  // namespace striate::simulator

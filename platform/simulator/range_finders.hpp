@@ -47,6 +47,8 @@ class Laser {
       : random_(seed, Purpose::laser), settings_(settings), mount_(laser_mount(robot)) {}
   /// A whole sweep at this moment.
   [[nodiscard]] RangeScan sweep(TimePoint now, const Physics& physics);
+  /// One ray from the laser itself, counter-clockwise from ahead; +inf beyond its range.
+  [[nodiscard]] double range_m(double bearing_rad, const Physics& physics);
 
  private:
   Random random_;

@@ -177,6 +177,13 @@ const LateObstacles& SimulatedPioneer::late_obstacles() const {
   return parts_->late;
 }
 
+double SimulatedPioneer::laser_range_m(double bearing_rad) {
+  return parts_->laser.range_m(bearing_rad, parts_->physics);
+}
+void SimulatedPioneer::put_at(const Pose2& pose) {
+  parts_->physics.put_robot(pose);
+}
+
 bool SimulatedPioneer::sense(Senses& senses) {
   const TimePoint end = parts_->clock.now() + parts_->robot.cycle;
   while (parts_->clock.now() < end && !parts_->judge.over()) parts_->step();

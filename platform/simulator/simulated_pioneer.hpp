@@ -39,6 +39,12 @@ class SimulatedPioneer : public Robot {
   [[nodiscard]] const FloorPlan& plan() const;
   [[nodiscard]] const LateObstacles& late_obstacles() const;
 
+  /// For devices with a sweep of their own: one ray from the laser, +inf beyond its range.
+  /// @param bearing_rad counter-clockwise from ahead, all around
+  [[nodiscard]] double laser_range_m(double bearing_rad);
+  /// Puts the robot elsewhere, as a hand does that lifts it: no wheel turns.
+  void put_at(const Pose2& pose);
+
  private:
   struct Parts;
   std::unique_ptr<Parts> parts_;

@@ -68,4 +68,16 @@ Argument read_argument(const Packet& packet) {
   return argument;
 }
 
+std::optional<SimPose> read_sim_pose(const Packet& packet) {
+  constexpr std::size_t kSize = 12;  // bytes of three 32-bit numbers
+  if (packet.payload.size() < kSize) return std::nullopt;
+  const bool typed = packet.payload.size() > kSize;
+  ByteReader reader(ByteView(packet.payload).subspan(typed ? 1 : 0));
+  SimPose pose;
+  pose.x_mm = reader.i32();
+  pose.y_mm = reader.i32();
+  pose.heading_deg = reader.i32();
+  return pose;
+}
+
 }  // namespace striate::pioneer::arcos

@@ -34,12 +34,13 @@ enum class Command : std::uint8_t {
   set_rotation_acceleration = 23,
   sonar = 28,
   stop = 29,
-  wheels = 32,  ///< VEL2: low byte right, high byte left, 20 mm/s each
-  laser_mode = 35,
-  laser_start = 36,
-  laser_end = 37,
-  laser_increment = 38,
-  io_request = 40,  ///< 1 asks for one IOpac
+  digital_out = 30,      ///< low byte the values, high byte which of them are meant
+  wheels = 32,           ///< VEL2: low byte right, high byte left, 20 mm/s each
+  laser_mode = 35,       ///< simulators: 0 stop, 1 ranges alone, 2 with reflectance
+  laser_start = 36,      ///< deg, counter-clockwise, of the first reading
+  laser_end = 37,        ///< deg, of the last one
+  laser_increment = 38,  ///< deg / 100
+  io_request = 40,       ///< 0 stop, 1 once, 2 stream
   bump_stall = 44,
   joystick_drive = 47,
   sonar_cycle = 48,
@@ -47,10 +48,17 @@ enum class Command : std::uint8_t {
   emergency_stop = 55,
   emergency_stall = 56,
   quick_stop = 57,
-  battery_info = 62,
-  sim_set_pose = 224,
+  gyro = 58,                  ///< 0 stop, 1 stream
+  battery_info = 62,          ///< 0 stop, 1 once, 2 stream
+  sim_set_pose = 224,         ///< x, y in mm, heading in deg, 32 bits each: the true pose
+  sim_reset = 225,            ///< back to where it began, odometry 0
+  sim_laser_mode = 230,       ///< as laser_mode
+  sim_laser_start = 231,      ///< as laser_start
+  sim_laser_end = 232,        ///< as laser_end
+  sim_laser_increment = 233,  ///< as laser_increment
   sim_stat = 237,
   battery_test = 250,
+  reset = 253,  ///< the controller begins anew
 };
 
 /// VEL2's unit.
@@ -72,5 +80,13 @@ struct Argument {
   std::string text;
 };
 [[nodiscard]] Argument read_argument(const Packet& packet);
+/// The pose behind sim_set_pose, with or without a type byte; x and y in mm, heading in deg. Empty:
+/// too short.
+struct SimPose {
+  std::int32_t x_mm = 0;
+  std::int32_t y_mm = 0;
+  std::int32_t heading_deg = 0;
+};
+[[nodiscard]] std::optional<SimPose> read_sim_pose(const Packet& packet);
 
 }  // namespace striate::pioneer::arcos

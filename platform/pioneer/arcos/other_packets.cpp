@@ -54,12 +54,39 @@ Packet write_encoders(const Encoders& encoders) {
   return {Encoders::kId, writer.bytes()};
 }
 
-Packet write_io() {
+Packet write_io(const IoPac& io) {
+  constexpr int kAnalogPorts = 8;  // of the controller's user connector; ARCOS manual
   ByteWriter writer;
-  writer.u8(0);  // digital inputs, digital outputs, analog ports: none
-  writer.u8(0);
-  writer.u8(0);
+  writer.u8(4);
+  for (const std::uint8_t byte : {io.digital_in, io.front_bumpers, io.rear_bumpers}) {
+    writer.u8(byte);
+  }
+  writer.u8(0);  // infrared
+  writer.u8(1);
+  writer.u8(io.digital_out);
+  writer.u8(kAnalogPorts);
+  for (int i = 0; i < kAnalogPorts; ++i) writer.u16(0);
   return {IoPac::kId, writer.bytes()};
+}
+
+Packet write_battery(const BatteryPac& battery) {
+  ByteWriter writer;
+  writer.u8(1);                              // batteries
+  writer.u8(5);                              // bytes of each
+  for (int i = 0; i < 3; ++i) writer.u8(0);  // flags
+  writer.u8(battery.charge_percent);         // relative, then absolute
+  writer.u8(battery.charge_percent);
+  return {BatteryPac::kId, writer.bytes()};
+}
+
+Packet write_gyro(const GyroPac& gyro) {
+  ByteWriter writer;
+  writer.u8(static_cast<std::uint8_t>(gyro.readings.size()));
+  for (const std::int16_t reading : gyro.readings) {
+    writer.i16(reading);
+    writer.u8(GyroPac::kTemperature);
+  }
+  return {GyroPac::kId, writer.bytes()};
 }
 
 std::optional<SimStat> read_sim_stat(const Packet& packet) {
@@ -140,6 +167,22 @@ std::vector<Packet> write_sim_laser(const std::vector<std::uint16_t>& ranges_mm)
     writer.u8(0);
     writer.u8(0);
     packets.push_back({SimLaser::kId, writer.bytes()});
+  }
+  return packets;
+}
+
+std::vector<Packet> write_old_sim_laser(const OldSimLaser& at,
+                                        const std::vector<std::uint16_t>& ranges_mm) {
+  std::vector<Packet> packets;
+  for (std::size_t first = 0; first < ranges_mm.size(); first += SimLaser::kMostReadings) {
+    const std::size_t count = std::min(SimLaser::kMostReadings, ranges_mm.size() - first);
+    ByteWriter writer;
+    for (const std::int16_t value : {at.x, at.y, at.heading}) writer.i16(value);
+    writer.u16(static_cast<std::uint16_t>(ranges_mm.size()));
+    writer.u16(static_cast<std::uint16_t>(first));
+    writer.u8(static_cast<std::uint8_t>(count));
+    for (std::size_t i = 0; i < count; ++i) writer.u16(ranges_mm[first + i]);
+    packets.push_back({OldSimLaser::kId, writer.bytes()});
   }
   return packets;
 }

@@ -39,12 +39,37 @@ struct Encoders {
 };
 [[nodiscard]] Packet write_encoders(const Encoders& encoders);
 
-/// IOREQUEST's answer: digital and analog ports, which nobody here reads.
+/// IOREQUEST's answer: counted groups of digital inputs, digital outputs and analog inputs.
 struct IoPac {
   static constexpr std::uint8_t kId = 0xf0;  ///< IOpac's packet type; ARCOS manual
+  std::uint8_t digital_in = 0;
+  std::uint8_t front_bumpers = 0;
+  std::uint8_t rear_bumpers = 0;
+  std::uint8_t digital_out = 0;
 };
-/// An IOpac of a robot whose ports have nothing to tell.
-[[nodiscard]] Packet write_io();
+/// Of a robot with nothing at its infrared and analog ports.
+[[nodiscard]] Packet write_io(const IoPac& io = {});
+
+/// BATTERYINFO's answer.
+struct BatteryPac {
+  static constexpr std::uint8_t kId = 0xfa;  ///< as ARIA reads it
+  std::uint8_t charge_percent = 0;
+};
+/// Of a robot with one battery, without flags.
+[[nodiscard]] Packet write_battery(const BatteryPac& battery);
+
+/// GYRO's answer: what the gyro told each 25 ms since the last packet.
+struct GyroPac {
+  static constexpr std::uint8_t kId = 0x98;  ///< as ARIA reads it
+  static constexpr int kReading_ms = 25;     ///< of one reading; ARIA's gyro
+  static constexpr int kStands = 512;        ///< counts that mean no turning: middle of ten bits
+  /// Of one count, clockwise positive: 5 V in 1023 counts, 300 deg/s in 2.5 V, and the scale of a
+  /// P3-DX's gyro; ARIA, p3dx-sh.p
+  static constexpr double kCount_deg_s = 5.0 / 1023.0 * 300.0 / 2.5 * 1.626;
+  static constexpr std::uint8_t kTemperature = 128;  ///< counts, of which ARIA makes nothing
+  std::vector<std::int16_t> readings;                ///< counts
+};
+[[nodiscard]] Packet write_gyro(const GyroPac& gyro);
 
 /// SIMSTAT: the truth, to score a driver by. Simulated robots only.
 struct SimStat {
@@ -80,5 +105,14 @@ class SimLaserSweep {
 };
 /// A sweep as the packets it takes.
 [[nodiscard]] std::vector<Packet> write_sim_laser(const std::vector<std::uint16_t>& ranges_mm);
+/// The older form, 0x60: ranges alone, behind the pose by odometry in the SIP's own units.
+struct OldSimLaser {
+  static constexpr std::uint8_t kId = 0x60;  ///< as ARIA reads it
+  std::int16_t x = 0;
+  std::int16_t y = 0;
+  std::int16_t heading = 0;
+};
+[[nodiscard]] std::vector<Packet> write_old_sim_laser(const OldSimLaser& at,
+                                                      const std::vector<std::uint16_t>& ranges_mm);
 
 }  // namespace striate::pioneer::arcos

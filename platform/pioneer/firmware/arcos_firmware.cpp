@@ -13,7 +13,16 @@ namespace {
 
 constexpr std::uint16_t kNoEchoMm = 5000;  // what a real P3-DX tells where no echo returned
 constexpr double kTicksPerMm = 128.0;      // encoder ticks; TicksMM of a real P3-DX's CONFIGpac
-constexpr double kStandsMm_s = 5.0;        // slower than this, the SIP says that it stands (ours)
+/// Charge by voltage: LowBattery of a P3-DX's FLASH is empty, three fresh lead batteries at rest
+/// are full (ours: a straight line between them)
+constexpr double kEmpty_v = 11.0;
+constexpr double kFull_v = 12.7;  // V, see kEmpty_v
+/// Bit of the bumper segment that looks along the robot's middle, of bits 1 to 5; ARCOS manual
+constexpr std::uint8_t kMiddleBumper = 0x08;
+/// Finest step of the laser in the stream: an LMS-200's. A hundredth of a degree over a whole turn
+/// would be more than a line carries (ours)
+constexpr int kFinest_cdeg = 25;
+constexpr double kStandsMm_s = 5.0;  // slower than this, the SIP says that it stands (ours)
 /// Two turns of 16 discs: what waits longer has been fired again
 constexpr std::size_t kMostFreshReadings = 32;
 
@@ -88,8 +97,11 @@ void ArcosFirmware::open() {
   wheels_.limits() = {};
   motors_on_ = false;
   sonar_on_ = true;
-  joystick_allowed_ = laser_wanted_ = watchdog_stopped_ = false;
-  joystick_stream_ = encoder_stream_ = 0;
+  joystick_allowed_ = watchdog_stopped_ = gyro_streams_ = false;
+  joystick_stream_ = encoder_stream_ = io_stream_ = battery_stream_ = laser_mode_ = 0;
+  laser_field_ = {};
+  left_mm_ = right_mm_ = 0.0;
+  digital_out_ = 0;
   fresh_sonar_.clear();
   origin_ = senses_.odometry.pose;
   next_sip_ = now_;
@@ -115,8 +127,11 @@ void ArcosFirmware::set_motors(bool on) {
 void ArcosFirmware::handle(const Packet& packet) {
   const arcos::Argument argument = arcos::read_argument(packet);
   if (handle_motion(packet, argument)) return;
+  if (handle_laser(packet, argument)) return;
   handle_setting(packet, argument);
   handle_request(packet, argument);
+  handle_stream(packet, argument);
+  handle_simulator(packet);
 }
 
 void ArcosFirmware::send_config() {
@@ -142,18 +157,63 @@ void ArcosFirmware::send_config() {
   config.acceleration_mm_s2 = config.deceleration_mm_s2 = 300;
   config.front_bumpers = config.rear_bumpers = 1;
   config.sonar_cycle_ms = 40;
+  config.has_gyro = 1;
   config.ticks_mm = static_cast<std::uint16_t>(kTicksPerMm);
   config.firmware = "S.1";
   send(arcos::write_config_pac(config));
 }
 
 void ArcosFirmware::send_encoders() {
-  // Ticks count what the odometry's way and turn make of the wheels.
-  const Pose2 pose = pose_mm();
-  const double turn_mm = pose.heading_rad * model_.half_axle_mm;
-  send(arcos::write_encoders(
-      {static_cast<std::int32_t>(std::lround((pose.x_m - turn_mm) * kTicksPerMm)),
-       static_cast<std::int32_t>(std::lround((pose.x_m + turn_mm) * kTicksPerMm))}));
+  const auto ticks = [](double mm) {
+    return static_cast<std::int32_t>(std::llround(mm * kTicksPerMm));
+  };
+  send(arcos::write_encoders({ticks(left_mm_), ticks(right_mm_)}));
+}
+
+/// What each wheel has rolled since the last step: the way along the middle heading, and the turn.
+void ArcosFirmware::count_wheels(const Odometry& odometry) {
+  const Pose2 before = std::exchange(senses_.odometry, odometry).pose;
+  if (!std::exchange(wheels_counted_, true)) return;
+  const Pose2& now = odometry.pose;
+  const double turn_rad = wrap_angle(now.heading_rad - before.heading_rad);
+  const double along_rad = before.heading_rad + turn_rad / 2.0;
+  const double way_mm = 1000.0 * ((now.x_m - before.x_m) * std::cos(along_rad) +
+                                  (now.y_m - before.y_m) * std::sin(along_rad));
+  left_mm_ += way_mm - turn_rad * model_.half_axle_mm;
+  right_mm_ += way_mm + turn_rad * model_.half_axle_mm;
+}
+
+void ArcosFirmware::send_io() {
+  arcos::IoPac io;
+  io.front_bumpers = senses_.bumper_front ? kMiddleBumper : 0;
+  io.rear_bumpers = senses_.bumper_rear ? kMiddleBumper : 0;
+  io.digital_out = digital_out_;
+  send(arcos::write_io(io));
+}
+
+void ArcosFirmware::send_battery() {
+  const double battery_v = fake_battery_v_.value_or(senses_.battery_v);
+  const double share = (battery_v - kEmpty_v) / (kFull_v - kEmpty_v);
+  send(arcos::write_battery(
+      {static_cast<std::uint8_t>(std::lround(100.0 * std::clamp(share, 0.0, 1.0)))}));
+}
+
+/// As many readings as a cycle has times 25 ms. What rounding takes from one is given to the next,
+/// so that their sum is the turn.
+void ArcosFirmware::send_gyro() {
+  const int count = std::max(1, settings_.sip_cycle_ms / arcos::GyroPac::kReading_ms);
+  const double cycle_s = settings_.sip_cycle_ms / 1000.0;
+  const double count_deg = arcos::GyroPac::kCount_deg_s * cycle_s / count;
+  arcos::GyroPac gyro;
+  for (int left = count; left > 0; --left) {
+    const double counts =
+        std::clamp(std::round(turned_deg_ / left / count_deg), -double{arcos::GyroPac::kStands},
+                   double{arcos::GyroPac::kStands - 1});
+    turned_deg_ -= counts * count_deg;
+    gyro.readings.push_back(
+        static_cast<std::int16_t>(arcos::GyroPac::kStands - static_cast<int>(counts)));
+  }
+  send(arcos::write_gyro(gyro));
 }
 
 /// Metres are millimetres here.
@@ -171,17 +231,42 @@ void ArcosFirmware::sonar(std::size_t disc, double range_m) {
 
 void ArcosFirmware::laser(const std::vector<std::uint16_t>& ranges_mm) {
   if (!laser_wanted()) return;
+  if (laser_mode_ == 1) {
+    const arcos::Sip sip = odometry_sip();
+    const arcos::OldSimLaser at{static_cast<std::int16_t>(sip.x), static_cast<std::int16_t>(sip.y),
+                                sip.heading};
+    for (const Packet& packet : arcos::write_old_sim_laser(at, ranges_mm)) send(packet);
+    return;
+  }
   for (const Packet& packet : arcos::write_sim_laser(ranges_mm)) send(packet);
 }
 
-void ArcosFirmware::send_sip() {
+std::vector<double> ArcosFirmware::laser_bearings_rad() const {
+  const LaserField& field = laser_field_;
+  const int step_cdeg = std::max(field.increment_cdeg, kFinest_cdeg);
+  const int span_cdeg = 100 * (field.end_deg - field.start_deg);
+  std::vector<double> bearings;
+  for (int i = 0; i <= std::abs(span_cdeg) / step_cdeg; ++i) {
+    const int turned_cdeg = span_cdeg < 0 ? -i * step_cdeg : i * step_cdeg;
+    bearings.push_back(radians(field.start_deg + turned_cdeg / 100.0));
+  }
+  return bearings;
+}
+
+/// The place by odometry, in the units of the robot's model.
+arcos::Sip ArcosFirmware::odometry_sip() const {
   const Pose2 pose = pose_mm();
-  const double turn_mm_s = senses_.odometry.turn_rad_s * model_.half_axle_mm;
-  const double forward_mm_s = 1000.0 * senses_.odometry.forward_m_s;
   arcos::Sip sip;
   sip.x = as_count(pose.x_m / model_.distance_mm);
   sip.y = as_count(pose.y_m / model_.distance_mm);
   sip.heading = as_i16(pose.heading_rad / model_.angle_rad);
+  return sip;
+}
+
+void ArcosFirmware::send_sip() {
+  const double turn_mm_s = senses_.odometry.turn_rad_s * model_.half_axle_mm;
+  const double forward_mm_s = 1000.0 * senses_.odometry.forward_m_s;
+  arcos::Sip sip = odometry_sip();
   sip.left_mm_s = as_i16(forward_mm_s - turn_mm_s);
   sip.right_mm_s = as_i16(forward_mm_s + turn_mm_s);
   const bool moves = std::abs(forward_mm_s) + std::abs(turn_mm_s) > kStandsMm_s;
@@ -196,11 +281,19 @@ void ArcosFirmware::send_sip() {
                                          (senses_.stop_pressed ? SipFlag::stop_pressed : 0) |
                                          (senses_.joystick.button1 ? SipFlag::joystick_button : 0));
   sip.sonar.swap(fresh_sonar_);
+  sip.digital_out = digital_out_;
   sip.battery_x10_dv = sip.battery_dv;
   sip.rotation_ddeg_s = as_i16(10.0 * degrees(senses_.odometry.turn_rad_s));
   send(arcos::write_sip(sip));
+}
+
+/// What goes with each SIP where it was asked for.
+void ArcosFirmware::send_streams() {
   if (joystick_stream_ > 1) send(arcos::write_joystick(senses_.joystick));
   if (encoder_stream_ > 1) send_encoders();
+  if (io_stream_ > 1) send_io();
+  if (battery_stream_ > 1) send_battery();
+  if (gyro_streams_) send_gyro();
 }
 
 void ArcosFirmware::watch(TimePoint now) {
@@ -231,7 +324,10 @@ void ArcosFirmware::drive_by_joystick() {
 
 void ArcosFirmware::step(TimePoint now, Duration step, const FirmwareSenses& senses) {
   now_ = now;
+  if (!start_) start_ = senses.true_pose;
+  count_wheels(senses.odometry);
   senses_ = senses;
+  if (gyro_streams_) turned_deg_ += degrees(senses.true_turn_rad_s) * to_seconds(step);
   if (incomplete_ && now - incomplete_since_ > arcos::kLongestPacket) {
     stream_.give_up_waiting();
     incomplete_since_ = now;
@@ -242,6 +338,7 @@ void ArcosFirmware::step(TimePoint now, Duration step, const FirmwareSenses& sen
   wheels_.step(to_seconds(step), degrees(pose_mm().heading_rad));
   if (!connected_ || now < next_sip_) return;
   send_sip();
+  send_streams();
   next_sip_ += std::chrono::milliseconds(settings_.sip_cycle_ms);
   if (next_sip_ <= now) next_sip_ = now + std::chrono::milliseconds(settings_.sip_cycle_ms);
 }

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "striate/platform/pioneer/firmware/arcos_firmware.hpp"
@@ -98,24 +99,17 @@ void ArcosFirmware::handle_setting(const Packet& packet, const Argument& argumen
 void ArcosFirmware::handle_request(const Packet& packet, const Argument& argument) {
   switch (static_cast<Command>(packet.id)) {
     case Command::close:
+    case Command::reset:  // the controller begins anew: no session
       close();
       return;
     case Command::config:
       send_config();
       return;
-    case Command::joystick_info:
-      joystick_stream_ = argument.value;
-      if (joystick_stream_ == 1) send(arcos::write_joystick(senses_.joystick));
-      return;
-    case Command::encoder:
-      encoder_stream_ = argument.value;
-      if (encoder_stream_ == 1) send_encoders();
-      return;
-    case Command::io_request:
-      if (argument.value == 1) send(arcos::write_io());
-      return;
-    case Command::laser_mode:
-      laser_wanted_ = argument.value != 0;
+    case Command::digital_out:
+      if (argument.present) {
+        digital_out_ = static_cast<std::uint8_t>((digital_out_ & ~argument.high) |
+                                                 (argument.low & argument.high));
+      }
       return;
     case Command::sim_stat:
       if (argument.value == 0) return;  // simulators answer only with an argument
@@ -126,6 +120,78 @@ void ArcosFirmware::handle_request(const Packet& packet, const Argument& argumen
       return;
     default:
       return;  // unknown commands are ignored
+  }
+}
+
+/// Packets that are sent once (1), with each SIP (2), or no more (0).
+void ArcosFirmware::handle_stream(const Packet& packet, const Argument& argument) {
+  const bool once = argument.value == 1;
+  switch (static_cast<Command>(packet.id)) {
+    case Command::joystick_info:
+      joystick_stream_ = argument.value;
+      if (once) send(arcos::write_joystick(senses_.joystick));
+      return;
+    case Command::encoder:
+      encoder_stream_ = argument.value;
+      if (once) send_encoders();
+      return;
+    case Command::io_request:
+      io_stream_ = argument.value;
+      if (once) send_io();
+      return;
+    case Command::battery_info:
+      battery_stream_ = argument.value;
+      if (once) send_battery();
+      return;
+    case Command::gyro:  // never once: it has told nothing then
+      gyro_streams_ = argument.value != 0;
+      turned_deg_ = 0.0;
+      return;
+    default:
+      return;
+  }
+}
+
+bool ArcosFirmware::handle_laser(const Packet& packet, const Argument& argument) {
+  constexpr int kBehind_deg = 180;  // no reading looks further round
+  const int bearing_deg = std::clamp(argument.value, -kBehind_deg, kBehind_deg);
+  switch (static_cast<Command>(packet.id)) {
+    case Command::laser_mode:
+    case Command::sim_laser_mode:
+      laser_mode_ = argument.value;
+      return true;
+    case Command::laser_start:
+    case Command::sim_laser_start:
+      if (argument.present) laser_field_.start_deg = bearing_deg;
+      return true;
+    case Command::laser_end:
+    case Command::sim_laser_end:
+      if (argument.present) laser_field_.end_deg = bearing_deg;
+      return true;
+    case Command::laser_increment:
+    case Command::sim_laser_increment:
+      if (argument.value > 0) laser_field_.increment_cdeg = argument.value;
+      return true;
+    default:
+      return false;
+  }
+}
+
+/// What only a simulated robot's client may do to it.
+void ArcosFirmware::handle_simulator(const Packet& packet) {
+  switch (static_cast<Command>(packet.id)) {
+    case Command::sim_set_pose:
+      if (const auto pose = arcos::read_sim_pose(packet)) {
+        new_place_ = {pose->x_mm / 1000.0, pose->y_mm / 1000.0,
+                      wrap_angle(radians(std::remainder(pose->heading_deg, 360.0)))};
+      }
+      return;
+    case Command::sim_reset:
+      new_place_ = start_;
+      origin_ = senses_.odometry.pose;
+      return;
+    default:
+      return;
   }
 }
 

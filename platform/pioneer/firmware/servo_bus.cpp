@@ -1,94 +1,43 @@
 #include "striate/platform/pioneer/firmware/servo_bus.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-
-#include "striate/base/pioneer_devices.hpp"
-
 namespace striate::pioneer {
 
-using dynamixel::Error;
 using dynamixel::Instruction;
-using dynamixel::Register;
 
 namespace {
 
-/// AX-12A data sheet: 59 rpm without load
-constexpr double kFastestRad_s = 59.0 * 2.0 * std::numbers::pi / 60.0;
-/// Blocked for so long it gives up, as an AX-12A does after some seconds (ours)
-constexpr double kOverloadAfter_s = 2.0;
-constexpr double kThere_rad = 0.003;  // half a step of the position, 0.293 deg
+/// Half a packet that stays so is none: six times what the longest one takes at 115200 baud, 22 ms,
+/// as some programs write byte by byte (ours)
+constexpr Duration kMostBetweenBytes = std::chrono::milliseconds(130);
 
 }  // namespace
 
-ServoModel::ServoModel(std::uint8_t id, double angle_rad) : angle_rad_(angle_rad) {
-  registers_[Register::model] = 12;
-  registers_[Register::id] = id;
-  set_word(Register::ccw_limit, 1023);
-  set_word(Register::torque_limit, 1023);
-  set_word(Register::goal_position, dynamixel::ticks_of(angle_rad));
-  set_word(Register::position, dynamixel::ticks_of(angle_rad));
-  registers_[Register::voltage] = 120;
-  registers_[Register::temperature] = 35;
-}
-
-std::uint16_t ServoModel::word(std::uint8_t address) const {
-  return static_cast<std::uint16_t>(registers_[address] | registers_[address + 1U] << 8U);
-}
-
-void ServoModel::set_word(std::uint8_t address, std::uint16_t value) {
-  registers_[address] = static_cast<std::uint8_t>(value & 0xffU);
-  registers_[address + 1U] = static_cast<std::uint8_t>(value >> 8U);
-}
-
-Bytes ServoModel::read(std::uint8_t address, std::size_t count) const {
-  Bytes values;
-  for (std::size_t i = address; i < std::min(registers_.size(), address + count); ++i) {
-    values.push_back(registers_[i]);
-  }
-  return values;
-}
-
-void ServoModel::write(std::uint8_t address, ByteView values) {
-  for (std::size_t i = 0; i < values.size() && address + i < registers_.size(); ++i) {
-    registers_[address + i] = values[i];
-  }
-  if (address == Register::goal_position) registers_[Register::torque_enable] = 1;
-  if (address == Register::torque_limit && word(Register::torque_limit) > 0) {
-    errors_ = 0;
-    pushing_s_ = 0.0;
-    set_word(Register::goal_position, dynamixel::ticks_of(angle_rad_));
-  }
-}
-
-void ServoModel::step(double dt_s) {
-  const bool powered = registers_[Register::torque_enable] != 0 && word(Register::torque_limit) > 0;
-  const double goal_rad = dynamixel::angle_of(word(Register::goal_position));
-  const double left_rad = goal_rad - angle_rad_;
-  const std::uint16_t ticks = word(Register::moving_speed);
-  const double speed =
-      ticks == 0 ? kFastestRad_s : std::min(ticks * kServoSpeedStep_rad_s, kFastestRad_s);
-  const bool wants = powered && std::abs(left_rad) > kThere_rad;
-  const double way = wants && !blocked ? std::clamp(left_rad, -speed * dt_s, speed * dt_s) : 0.0;
-  angle_rad_ += way;
-  speed_rad_s_ = way / dt_s;
-  pushing_s_ = wants && blocked ? pushing_s_ + dt_s : 0.0;
-  if (pushing_s_ > kOverloadAfter_s) {
-    errors_ |= Error::overload;
-    set_word(Register::torque_limit, 0);
-  }
-  set_word(Register::position, dynamixel::ticks_of(angle_rad_));
-  set_word(Register::load, wants && blocked ? 1000 : 0);
-  registers_[Register::moving] = way != 0.0 ? 1 : 0;
-}
-
 void ServoBus::receive(ByteView bytes) {
+  if (!bytes.empty()) waited_ = {};
   stream_.push(bytes);
-  while (const auto packet = stream_.next()) obey(*packet);
+  obey_all();
+}
+
+void ServoBus::obey_all() {
+  while (true) {
+    const auto packet = stream_.next();
+    // Sums that were wrong lie before the packet.
+    for (const std::uint8_t id : stream_.take_bad_sums()) {
+      for (const ServoModel& servo : servos) {
+        if (servo.connected && servo.id() == id) answer(servo.refuse_sum());
+      }
+    }
+    if (!packet) return;
+    obey(*packet);
+  }
 }
 
 void ServoBus::step(Duration step) {
+  waited_ += step;
+  while (stream_.waiting() && waited_ > kMostBetweenBytes) {
+    stream_.give_up_waiting();
+    obey_all();
+  }
   for (ServoModel& servo : servos) servo.step(to_seconds(step));
 }
 
@@ -98,6 +47,10 @@ Bytes ServoBus::take_output() {
   return bytes;
 }
 
+void ServoBus::answer(const std::optional<dynamixel::Packet>& reply) {
+  if (reply) append(output_, dynamixel::encode(*reply));
+}
+
 void ServoBus::write_all(const dynamixel::Packet& packet) {
   if (packet.parameters.size() < 2) return;
   const std::size_t size = packet.parameters[1];
@@ -105,7 +58,7 @@ void ServoBus::write_all(const dynamixel::Packet& packet) {
   while (left.size() >= size + 1) {
     for (ServoModel& servo : servos) {
       if (servo.connected && servo.id() == left[0]) {
-        servo.write(packet.parameters[0], left.subspan(1, size));
+        (void)servo.write(packet.parameters[0], left.subspan(1, size));
       }
     }
     left = left.subspan(size + 1);
@@ -113,22 +66,19 @@ void ServoBus::write_all(const dynamixel::Packet& packet) {
 }
 
 void ServoBus::obey(const dynamixel::Packet& packet) {
-  const auto instruction = static_cast<Instruction>(packet.code);
-  if (packet.id == dynamixel::kBroadcast) {
-    if (instruction == Instruction::sync_write) write_all(packet);
+  const bool all = packet.id == dynamixel::kBroadcast;
+  if (all && static_cast<Instruction>(packet.code) == Instruction::sync_write) {
+    write_all(packet);
     return;
   }
+  // By the ids that they had when it came: it may change them.
+  std::vector<ServoModel*> meant;
   for (ServoModel& servo : servos) {
-    if (!servo.connected || servo.id() != packet.id) continue;
-    dynamixel::Packet reply{packet.id, servo.errors(), {}};
-    if (instruction == Instruction::read && packet.parameters.size() == 2) {
-      reply.parameters = servo.read(packet.parameters[0], packet.parameters[1]);
-    } else if (instruction == Instruction::write && packet.parameters.size() >= 2) {
-      servo.write(packet.parameters[0], ByteView(packet.parameters).subspan(1));
-    } else if (instruction != Instruction::ping) {
-      reply.code |= Error::instruction;
-    }
-    append(output_, dynamixel::encode(reply));
+    if (servo.connected && (all || servo.id() == packet.id)) meant.push_back(&servo);
+  }
+  for (ServoModel* servo : meant) {
+    const auto reply = servo->obey(packet);
+    if (!all) answer(reply);  // to what is for all, none replies
   }
 }
 

@@ -156,13 +156,15 @@ std::optional<Scan> read_scan(const Telegram& telegram) {
   return scan;
 }
 
-Telegram write_scan(const std::vector<double>& ranges_m) {
+Telegram write_scan(const std::vector<double>& ranges_m, RangeUnit unit) {
+  const bool millimetres = unit == RangeUnit::millimetres;
+  const double units_a_metre = millimetres ? 1000.0 : 100.0;
   ByteWriter writer;
   writer.u8(kScan);
-  writer.u16(static_cast<std::uint16_t>((ranges_m.size() & 0x3ffU) | 0x4000U));
+  writer.u16(static_cast<std::uint16_t>((ranges_m.size() & 0x3ffU) | (millimetres ? 0x4000U : 0U)));
   for (const double range_m : ranges_m) {
-    const double mm = std::isfinite(range_m) ? 1000.0 * range_m : kRangeBits;
-    writer.u16(static_cast<std::uint16_t>(std::lround(std::clamp(mm, 0.0, double{kRangeBits}))));
+    const double units = std::isfinite(range_m) ? units_a_metre * range_m : kRangeBits;
+    writer.u16(static_cast<std::uint16_t>(std::lround(std::clamp(units, 0.0, double{kRangeBits}))));
   }
   writer.u8(0x10);  // as a laser in order says it
   return {kFromLaser, writer.bytes()};

@@ -73,7 +73,10 @@ struct Scan {
 /// Empty when the telegram is no B0 or shorter than it says. Values from 1FF7 on are errors of the
 /// device and read as +inf.
 [[nodiscard]] std::optional<Scan> read_scan(const Telegram& telegram);
-/// In millimetres, as a laser sends it.
-[[nodiscard]] Telegram write_scan(const std::vector<double>& ranges_m);
+/// What a value of a scan counts, as bits 14 and 15 of its head say it.
+enum class RangeUnit : std::uint8_t { centimetres = 0, millimetres = 1 };
+/// As a laser sends it.
+[[nodiscard]] Telegram write_scan(const std::vector<double>& ranges_m,
+                                  RangeUnit unit = RangeUnit::millimetres);
 
 }  // namespace striate::pioneer::lms200

@@ -237,9 +237,16 @@ Reply write_time(const std::string& echo, int device_time_ms) {
 
 Reply write_scan(const ScanRequest& request, int device_time_ms,
                  const std::vector<int>& ranges_mm) {
-  Reply reply{write_request(request), "99", {encode(device_time_ms, kTimeCharacters)}};
+  return write_scan(write_request(request), device_time_ms, ranges_mm,
+                    request.three_characters ? 3 : 2);
+}
+
+Reply write_scan(const std::string& echo, int device_time_ms, const std::vector<int>& ranges_mm,
+                 int characters) {
+  const bool endless = echo.rfind('M', 0) == 0;
+  Reply reply{echo, endless ? "99" : "00", {encode(device_time_ms, kTimeCharacters)}};
   std::string data;
-  for (const int range_mm : ranges_mm) data += encode(range_mm, request.three_characters ? 3 : 2);
+  for (const int range_mm : ranges_mm) data += encode(range_mm, characters);
   for (std::size_t at = 0; at < data.size(); at += kDataLine) {
     reply.lines.push_back(data.substr(at, kDataLine));
   }

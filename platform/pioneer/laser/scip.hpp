@@ -100,6 +100,9 @@ struct Scan {
 /// A device's reply to a running MD or MS. ranges_mm: as many as the request asks for.
 [[nodiscard]] Reply write_scan(const ScanRequest& request, int device_time_ms,
                                const std::vector<int>& ranges_mm);
+/// The same under an echo of the device's own. @param characters 3 of MD and GD, 2 of MS and GS
+[[nodiscard]] Reply write_scan(const std::string& echo, int device_time_ms,
+                               const std::vector<int>& ranges_mm, int characters);
 /// A device's reply to TM1. @param echo the command
 [[nodiscard]] Reply write_time(const std::string& echo, int device_time_ms);
 

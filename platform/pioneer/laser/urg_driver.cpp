@@ -39,7 +39,7 @@ void UrgDriver::take(const scip::Reply& reply, TimePoint now) {
       return;
     case Step::clock_on:
       if (kind != "TM") return;
-      if (reply.status == "00") {
+      if (reply.status == "00" || reply.status == "02") {  // 02: it has been asked before
         say(clock_question(), Step::clock, now);
       } else {
         say("PP", Step::ask, now);  // a device that does not tell

@@ -12,8 +12,9 @@ namespace {
 constexpr std::uint8_t kStart = 0xff;  // first two bytes of a packet; Dynamixel protocol 1.0
 /// Length, parameters + 2, is a byte, and 255 and 254 are ids; Dynamixel protocol 1.0
 constexpr std::size_t kMostParameters = 250;
-constexpr double kMiddle = 512.0;      // AX-12A control table: tick that looks straight ahead
-constexpr double kMostTicks = 1023.0;  // AX-12A control table: ten bits of position or speed
+constexpr std::size_t kMostBadSums = 16;  // packets that one read of a line holds (ours)
+constexpr double kMiddle = 512.0;         // AX-12A control table: tick that looks straight ahead
+constexpr double kMostTicks = 1023.0;     // AX-12A control table: ten bits of position or speed
 
 std::uint8_t sum_of(ByteView body) {
   unsigned sum = 0;
@@ -79,6 +80,8 @@ std::optional<Packet> PacketStream::next() {
     if (left.size() < size + 4) return std::nullopt;
     if (sum_of(left.subspan(2, size + 1)) != left[size + 3]) {
       ++counters_.bad_sum;
+      // Nobody asks at the program's end: there it must not grow.
+      if (bad_sums_.size() < kMostBadSums) bad_sums_.push_back(left[2]);
       skip_byte();
       continue;
     }

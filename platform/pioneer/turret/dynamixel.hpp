@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "striate/base/bytes.hpp"
@@ -22,10 +23,25 @@ enum class Instruction : std::uint8_t {
 /// Registers of the AX-12A; two bytes where it says word.
 struct Register {
   static constexpr std::uint8_t model = 0;  // word
+  static constexpr std::uint8_t firmware = 2;
   static constexpr std::uint8_t id = 3;
-  static constexpr std::uint8_t cw_limit = 6;   // word
-  static constexpr std::uint8_t ccw_limit = 8;  // word
+  static constexpr std::uint8_t baud = 4;
+  static constexpr std::uint8_t return_delay = 5;  // 2 us
+  static constexpr std::uint8_t cw_limit = 6;      // word
+  static constexpr std::uint8_t ccw_limit = 8;     // word
+  static constexpr std::uint8_t most_temperature = 11;
+  static constexpr std::uint8_t least_voltage = 12;
+  static constexpr std::uint8_t most_voltage = 13;
+  static constexpr std::uint8_t most_torque = 14;   // word
+  static constexpr std::uint8_t status_level = 16;  // 0: replies to PING, 1: and READ, 2: to all
+  static constexpr std::uint8_t alarm_led = 17;
+  static constexpr std::uint8_t alarm_shutdown = 18;
   static constexpr std::uint8_t torque_enable = 24;
+  static constexpr std::uint8_t led = 25;
+  static constexpr std::uint8_t cw_margin = 26;
+  static constexpr std::uint8_t ccw_margin = 27;
+  static constexpr std::uint8_t cw_slope = 28;
+  static constexpr std::uint8_t ccw_slope = 29;
   static constexpr std::uint8_t goal_position = 30;  // word
   static constexpr std::uint8_t moving_speed = 32;   // word; 0 is the fastest
   static constexpr std::uint8_t torque_limit = 34;   // word
@@ -34,7 +50,10 @@ struct Register {
   static constexpr std::uint8_t load = 40;           // word
   static constexpr std::uint8_t voltage = 42;        // 0.1 V
   static constexpr std::uint8_t temperature = 43;    // deg C
+  static constexpr std::uint8_t registered = 44;
   static constexpr std::uint8_t moving = 46;
+  static constexpr std::uint8_t lock = 47;
+  static constexpr std::uint8_t punch = 48;  // word
 };
 
 /// Bits of a reply's error byte.
@@ -73,12 +92,16 @@ class PacketStream {
   [[nodiscard]] std::optional<Packet> next();
   [[nodiscard]] bool waiting() const { return at_ < buffer_.size(); }
   void give_up_waiting();
+  /// Ids of the packets that were dropped since the last call because their sum is wrong; true ones
+  /// as far as the wrong byte is another.
+  [[nodiscard]] Bytes take_bad_sums() { return std::exchange(bad_sums_, {}); }
   [[nodiscard]] const Counters& counters() const { return counters_; }
 
  private:
   void skip_byte();
   Bytes buffer_;
   std::size_t at_ = 0;
+  Bytes bad_sums_;
   Counters counters_;
 };
 
