@@ -12,6 +12,7 @@
 #include "striate/platform/pioneer/camera/rectifier.hpp"
 #include "striate/platform/pioneer/steady_clock.hpp"
 #include "striate/platform/pioneer/transport.hpp"
+#include "striate/platform/pioneer/who_answers.hpp"
 
 namespace striate::app {
 namespace {
@@ -57,14 +58,31 @@ void look_at_latency(const fs::path& port, const fs::path& sys, Findings& findin
                    sys.string(), port.filename().string())});
 }
 
-Finding look_at_line(const std::string& name, const std::string& url) {
+/// What answers must be what the robot file says, or its driver would wait for ever.
+Finding look_at_answer(const std::string& about, pioneer::Transport& line,
+                       pioneer::Answerer expected, const pioneer::ServoIds& servos) {
+  using pioneer::Answerer;
+  const Answerer heard = pioneer::who_answers(line, expected, servos);
+  const std::string wanted = pioneer::name_of(expected);
+  if (heard == expected) return {Grade::good, about, wanted + " answers", {}};
+  if (heard == Answerer::nobody) {
+    return {Grade::wrong, about, "can be opened, but nothing there answers as " + wanted + " does",
+            "switch it on, look at the baud rate, and whether another program holds it"};
+  }
+  return {Grade::wrong, about,
+          fmt::format("there answers {}, not {}", pioneer::name_of(heard), wanted),
+          "correct the places, or the kind of laser, in the robot file"};
+}
+
+Finding look_at_line(const std::string& name, const std::string& url, pioneer::Answerer expected,
+                     const pioneer::ServoIds& servos = {}) {
   const std::string about = name + " " + url;
   try {
     const auto line = pioneer::make_transport(url);
     const auto end = std::chrono::steady_clock::now() + kOpenPatience;
     line->open();
     while (line->is_opening() && std::chrono::steady_clock::now() < end) line->wait(kTick);
-    if (line->is_open()) return {Grade::good, about, "can be opened", {}};
+    if (line->is_open()) return look_at_answer(about, *line, expected, servos);
     const std::string why = line->trouble();
     return {Grade::wrong, about, why.empty() ? "does not answer" : why,
             "switch it on, look at the cable, and at the place in the robot file"};
@@ -138,14 +156,23 @@ Findings look_at_devices(const DeviceFolders& folders) {
 }
 
 Findings look_at_places(const pioneer::PioneerSettings& settings) {
+  using pioneer::Answerer;
   const pioneer::DevicePlaces& places = settings.devices;
   Findings findings;
   if (places.base.empty()) {
     return {{Grade::note, "robot", "the robot file names no base: it is for the simulator", {}}};
   }
-  findings.push_back(look_at_line("base", places.base));
-  if (!places.turret.empty()) findings.push_back(look_at_line("turret", places.turret));
-  if (!places.laser.empty()) findings.push_back(look_at_line("laser", places.laser));
+  findings.push_back(look_at_line("base", places.base, Answerer::base));
+  if (!places.turret.empty()) {
+    const pioneer::ServoIds servos{static_cast<std::uint8_t>(settings.turret.pan_id),
+                                   static_cast<std::uint8_t>(settings.turret.tilt_id)};
+    findings.push_back(look_at_line("turret", places.turret, Answerer::turret, servos));
+  }
+  if (!places.laser.empty()) {
+    const bool sick = settings.laser.kind == pioneer::LaserKind::lms200;
+    findings.push_back(
+        look_at_line("laser", places.laser, sick ? Answerer::lms200 : Answerer::hokuyo));
+  }
   const std::string& camera = places.camera;
   if (camera.rfind("video:", 0) == 0 || camera.rfind("bumblebee:", 0) == 0) {
     findings.push_back(look_at_video(camera));
@@ -153,7 +180,7 @@ Findings look_at_places(const pioneer::PioneerSettings& settings) {
       findings.push_back(look_at_calibration(settings.camera));
     }
   } else if (!camera.empty()) {
-    findings.push_back(look_at_line("camera", camera));
+    findings.push_back(look_at_line("camera", camera, Answerer::camera));
   }
   return findings;
 }

@@ -16,7 +16,7 @@ struct DeviceFolders {
 /// Serial ports and cameras that the machine has, and whether this user may open them.
 [[nodiscard]] Findings look_at_devices(const DeviceFolders& folders);
 
-/// The places that a robot file names: does anything answer there?
+/// The places that a robot file names: does the device answer there that shall?
 [[nodiscard]] Findings look_at_places(const pioneer::PioneerSettings& settings);
 
 }  // namespace striate::app

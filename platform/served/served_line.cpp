@@ -21,9 +21,6 @@ using boost::system::error_code;
 using Tcp = asio::ip::tcp;
 using Steady = std::chrono::steady_clock;
 
-/// Longer than a client that says nothing is borne, so that whoever waits behind it is served
-constexpr auto kWaitsLonger = std::chrono::seconds(2);
-
 /// It has closed its end, whatever it had said before.
 bool has_hung_up(Tcp::socket& socket) {
   pollfd looked{socket.native_handle(), POLLRDHUP, 0};
@@ -50,6 +47,8 @@ struct ServedLine::Parts {
   void call_next();
   void tend();
   void tend_client(Steady::time_point now);
+  /// Longer than a client that says nothing is borne, so that whoever waits behind it is served.
+  [[nodiscard]] Steady::duration most_waiting_time() const { return place.idle_limit * 5 / 4; }
   template <class Stream>
   void read_on(Stream& stream);
   template <class Stream>
@@ -63,6 +62,7 @@ struct ServedLine::Parts {
   Tcp::socket next;  ///< waits for the client to go; closed: nobody does
   Steady::time_point next_since;
   Steady::time_point last_word;  ///< of the client, or of the device's stream
+  Steady::time_point write_began;
   std::uint64_t words_at_first = 0;
   std::uint64_t words = 0;
   asio::posix::stream_descriptor terminal;
@@ -169,13 +169,14 @@ void ServedLine::Parts::tend() {
   if (pty) return;
   const Steady::time_point now = Steady::now();
   if (has_client) tend_client(now);
-  if (!next.is_open() || now - next_since <= place.idle_limit + kWaitsLonger) return;
+  if (!next.is_open() || now - next_since <= most_waiting_time()) return;
   error_code ignored;
   next.close(ignored);
   log("the second client was turned away: the first one works on");
 }
 
 void ServedLine::Parts::tend_client(Steady::time_point now) {
+  if (writing && now - write_began > place.idle_limit) return let_go("it does not read");
   const Dealings dealings = events.dealings();
   if (dealings.understood != words || dealings.streams) last_word = now;
   words = dealings.understood;
@@ -198,6 +199,7 @@ void ServedLine::Parts::read_on(Stream& stream) {
 template <class Stream>
 void ServedLine::Parts::write_on(Stream& stream) {
   writing = true;
+  write_began = Steady::now();
   under_way.swap(outbox);
   outbox.clear();
   asio::async_write(stream, asio::buffer(under_way),

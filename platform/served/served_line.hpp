@@ -31,7 +31,8 @@ struct Dealings {
 
 /// A TCP port or a pseudo-terminal that one client at a time may use; one more may wait. A client
 /// that says nothing to which the device streams nothing is let go: at once where it never said a
-/// word, else where somebody waits. Everything happens in the thread that runs `io`.
+/// word, else where somebody waits; and one that does not read what comes. Everything happens in
+/// the thread that runs `io`.
 class ServedLine {
  public:
   struct Events {

@@ -8,10 +8,12 @@
 #include <thread>
 
 #include "striate/agent/robot_settings.hpp"
+#include "striate/app/doctor/devices.hpp"
 #include "striate/platform/pioneer/pioneer_robot.hpp"
 #include "striate/platform/served/robot_server.hpp"
 #include "striate/platform/simulator/render/renderer_images.hpp"
 #include "striate/platform/simulator/world_reader.hpp"
+#include "tests/scenarios/served_hall.hpp"
 #include "tests/scenarios/striate_process.hpp"
 
 /// Turret, laser and camera of the served Pioneer, through the drivers of a real one.
@@ -201,6 +203,60 @@ TEST(ServedDevices, TheMissionStandsWhileTheCameraIsBlind) {
   RecordProperty("seconds", std::to_string(stood_at_s - 9.0));
   EXPECT_GT(stood_at_s, 9.0);
   EXPECT_LT(stood_at_s, 10.2);
+}
+
+/// What the doctor says of a place, as grade and words.
+const app::Finding& said_of(const app::Findings& findings, const std::string& place) {
+  for (const app::Finding& finding : findings) {
+    if (finding.about.rfind(place + " ", 0) == 0) return finding;
+  }
+  ADD_FAILURE() << "nothing is said of the " << place;
+  return findings.front();
+}
+
+TEST(ServedDevices, TheDoctorTellsDevicesThatWereExchanged) {
+  const Served served;
+  const served::ServedUrls& urls = served.urls();
+  pioneer::PioneerSettings right;
+  right.devices = {urls.base, urls.turret, urls.laser, {}};
+  const app::Findings good = app::look_at_places(right);
+  EXPECT_EQ(good.size(), 3u);
+  for (const app::Finding& finding : good) {
+    EXPECT_EQ(finding.grade, app::Finding::Grade::good) << finding.about << ": " << finding.what;
+  }
+  pioneer::PioneerSettings exchanged;
+  exchanged.devices = {urls.laser, urls.base, urls.turret, {}};
+  const app::Findings wrong = app::look_at_places(exchanged);
+  for (const app::Finding& finding : wrong) {
+    EXPECT_EQ(finding.grade, app::Finding::Grade::wrong) << finding.about;
+  }
+  EXPECT_THAT(said_of(wrong, "base").what, testing::HasSubstr("a Hokuyo laser, not a base"));
+  EXPECT_THAT(said_of(wrong, "turret").what, testing::HasSubstr("a base, not a turret"));
+  EXPECT_THAT(said_of(wrong, "laser").what, testing::HasSubstr("a turret of AX-12A servos, not a"));
+}
+
+TEST(ServedDevices, AnLms200IsDrivenByItsDriver) {
+  served::ServedDevices devices;
+  devices.laser = pioneer::LaserKind::lms200;
+  const Served served({}, devices);
+  pioneer::PioneerSettings settings;
+  settings.devices = {served.urls().base, {}, served.urls().laser, {}};
+  settings.laser.kind = pioneer::LaserKind::lms200;
+  EXPECT_FALSE(app::any_wrong(app::look_at_places(settings)));
+  pioneer::PioneerRobot robot(settings);
+  Senses senses;
+  for (int i = 0; i < 20 && senses.laser.readings.empty(); ++i) robot.sense(senses);
+  ASSERT_EQ(senses.laser.readings.size(), 181u);
+  EXPECT_NEAR(senses.laser.readings.front().distance_m, hall().width_m / 2.0, 0.15);
+}
+
+TEST(SimCommand, WarnsWhereEverybodyOnTheNetworkMayDrive) {
+  const auto serve = [](const std::string& address) {
+    return striate(
+        {"sim", "config/worlds/short.yaml", "--serve", "--port", "0", "--listen", address}, 1500ms);
+  };
+  EXPECT_THAT(serve("0.0.0.0").err, testing::HasSubstr("everybody on the network"));
+  EXPECT_EQ(serve("127.0.0.1").err, "");
 }
 
 TEST(RunCommand, WithoutAWorldTellsWhatIsMissing) {

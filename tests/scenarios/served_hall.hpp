@@ -20,8 +20,8 @@ inline simulator::World hall() {
 /// A simulated Pioneer's base in an empty hall, served in a thread of its own at any free port.
 class Served {
  public:
-  explicit Served(served::ServeSettings settings = {})
-      : robot_(hall(), 1, {}, {}),
+  explicit Served(served::ServeSettings settings = {}, const served::ServedDevices& devices = {})
+      : robot_(hall(), 1, {}, devices),
         server_(robot_, nullptr, on_any_port(std::move(settings)), [](const std::string&) {}),
         thread_([this] { server_.run([this] { return !ends_; }); }) {}
   ~Served() {
@@ -32,6 +32,7 @@ class Served {
   Served& operator=(const Served&) = delete;
 
   [[nodiscard]] const std::string& url() const { return server_.urls().base; }
+  [[nodiscard]] const served::ServedUrls& urls() const { return server_.urls(); }
   [[nodiscard]] served::ServedState state() const { return server_.state(); }
 
   /// Seconds of the robot's time until it holds.

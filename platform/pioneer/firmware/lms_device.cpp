@@ -134,9 +134,9 @@ void LmsDevice::set_mode(const Bytes& data) {
     baud_ = mode;
     return reply({0xa0, 0x00});
   }
-  const std::string_view word(reinterpret_cast<const char*>(data.data()) + 2,
-                              data.size() > 2 ? data.size() - 2 : 0);
-  const bool installs = mode == 0x00 && word == kPassword;
+  const ByteView word = ByteView(data).subspan(std::min<std::size_t>(2, data.size()));
+  const bool installs =
+      mode == 0x00 && std::equal(word.begin(), word.end(), kPassword.begin(), kPassword.end());
   if (!installs && mode != 0x24 && mode != kOnRequest) return reply({0xa0, 0x01});
   mode_ = mode;
   installing_ = installs;
