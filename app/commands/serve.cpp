@@ -4,7 +4,6 @@
 
 #include <boost/asio/ip/address.hpp>
 #include <cstdio>
-#include <map>
 
 #include "striate/agent/robot_settings.hpp"
 #include "striate/app/interrupt.hpp"
@@ -53,22 +52,20 @@ void add_serve_options(CLI::App& command, ServeOptions& options) {
       ->capture_default_str();
   command
       .add_option("--kind", options.kind,
-                  "the Pioneer's kind: p3dx or p3dx-sh, also with ARIA's name of a laser behind it")
+                  "the Pioneer's kind; also as ARIA names one with a laser, p3dx-sh-lms200")
       ->check(CLI::Validator(
           [](const std::string& kind) {
             return pioneer::find_model(kind) != nullptr
                        ? std::string()
                        : fmt::format("{}: not one of {}", kind, pioneer::known_models());
           },
-          "KIND"))
+          "{p3dx,p3dx-sh}"))
       ->group(group)
       ->capture_default_str();
-  static const std::map<std::string, pioneer::LaserKind> kLasers{
-      {"hokuyo", pioneer::LaserKind::hokuyo}, {"lms200", pioneer::LaserKind::lms200}};
-  command.add_option("--laser", options.laser, "the laser on the laser's line: hokuyo or lms200")
-      ->transform(CLI::CheckedTransformer(kLasers))
+  command.add_option("--laser", options.laser, "what is at the laser's line")
+      ->check(CLI::IsMember({"hokuyo", "lms200"}))
       ->group(group)
-      ->default_str("hokuyo");
+      ->capture_default_str();
   served::LineFaults& faults = options.faults;
   command.add_option("--loss", faults.loss, "share of packets that never come, 0 .. 1")
       ->check(CLI::Range(0.0, 1.0))
@@ -119,7 +116,8 @@ int serve(const ServeOptions& options) {
   const agent::RobotSettings settings = agent::load_robot_settings(options.robot);
   served::ServedDevices devices;
   devices.base.subclass = options.kind;
-  devices.laser = options.laser;
+  devices.laser =
+      options.laser == "lms200" ? pioneer::LaserKind::lms200 : pioneer::LaserKind::hokuyo;
   served::ServedPioneer robot(world, options.seed, settings.simulator, devices,
                               agent::simulated_robot(settings));
   served::ServeSettings serving;

@@ -15,7 +15,7 @@ struct ServeOptions {
   std::string address = "127.0.0.1";
   int port = 8101;  ///< where clients look for the first robot; ARIA's convention
   std::string kind = "p3dx-sh";
-  pioneer::LaserKind laser = pioneer::LaserKind::hokuyo;
+  std::string laser = "hokuyo";
   served::LineFaults faults;
   served::DeviceFaults devices;
   std::string world;

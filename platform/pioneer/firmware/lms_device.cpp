@@ -15,7 +15,7 @@ constexpr std::uint8_t kStatus = 0x10;    ///< the laser is in order
 constexpr Duration kTurn = std::chrono::milliseconds(100);
 /// Half a telegram that stays so is none: a scan of 401 values, 812 bytes, takes 211 ms at 38400
 /// baud, and nothing that is sent to a laser is as long
-constexpr Duration kLongestTelegram = std::chrono::milliseconds(250);
+constexpr Duration kLongestToLaser = std::chrono::milliseconds(250);
 constexpr std::string_view kType =
     "LMS200;30106;V02.10 ";                         // reply to 3A and 90, as ARIA records it
 constexpr std::string_view kVersion = "V02.10 ";    // of the firmware, in reply B1
@@ -32,7 +32,7 @@ struct BaudCode {
   std::uint8_t mode;
   std::uint16_t status;
 };
-constexpr BaudCode kBauds[] = {{0x42, 0x8067}, {0x41, 0x8033}, {0x40, 0x8019}, {0x48, 0x8001}};
+constexpr BaudCode kLaserBauds[] = {{0x42, 0x8067}, {0x41, 0x8033}, {0x40, 0x8019}, {0x48, 0x8001}};
 
 std::uint16_t word_at(const Bytes& data, std::size_t at) {
   return static_cast<std::uint16_t>(data[at] | data[at + 1] << 8U);
@@ -128,9 +128,9 @@ void LmsDevice::obey(const lms200::Telegram& telegram) {
 
 void LmsDevice::set_mode(const Bytes& data) {
   const std::uint8_t mode = data.size() > 1 ? data[1] : 0xff;
-  const auto* baud = std::find_if(std::begin(kBauds), std::end(kBauds),
+  const auto* baud = std::find_if(std::begin(kLaserBauds), std::end(kLaserBauds),
                                   [&](const BaudCode& each) { return each.mode == mode; });
-  if (baud != std::end(kBauds)) {
+  if (baud != std::end(kLaserBauds)) {
     baud_ = mode;
     return reply({0xa0, 0x00});
   }
@@ -181,7 +181,7 @@ void LmsDevice::tell_status() {
   told[101] = configuration_[kModeAt];
   put_word(106, field_deg_);
   put_word(108, increment_cdeg_);
-  for (const BaudCode& code : kBauds) {
+  for (const BaudCode& code : kLaserBauds) {
     if (code.mode == baud_) put_word(115, code.status);
   }
   told[121] = configuration_[kUnitAt];
@@ -203,7 +203,7 @@ std::vector<double> LmsDevice::bearings_rad() const {
 
 void LmsDevice::step(TimePoint now, const std::vector<double>& ranges_m) {
   now_ = now;
-  while (stream_.waiting() && now - heard_ > kLongestTelegram) {
+  while (stream_.waiting() && now - heard_ > kLongestToLaser) {
     stream_.give_up_waiting();
     obey_all();
   }

@@ -18,7 +18,7 @@ namespace {
 constexpr double kFastestRad_s = 59.0 * 2.0 * std::numbers::pi / 60.0;
 /// Blocked for so long it gives up, as an AX-12A does after some seconds (ours)
 constexpr double kOverloadAfter_s = 2.0;
-constexpr double kThere_rad = 0.003;  // half a step of the position, 0.293 deg
+constexpr double kServoThere_rad = 0.003;  // half a step of the position, 0.293 deg
 /// AX-12A control table, speed and load: bit 10 is clockwise
 constexpr std::uint16_t kClockwise = 1U << 10;
 constexpr std::uint16_t kSizeBits = kClockwise - 1U;  // AX-12A control table: ten bits of size
@@ -233,7 +233,7 @@ double ServoModel::wanted_rad(double dt_s) const {
     return std::clamp(angle_rad_ + way, -kEnd_rad, kEnd_rad) - angle_rad_;
   }
   const double left_rad = dynamixel::angle_of(word(Register::goal_position)) - angle_rad_;
-  if (std::abs(left_rad) <= kThere_rad) return 0.0;
+  if (std::abs(left_rad) <= kServoThere_rad) return 0.0;
   const double most = (told == 0 ? kFastestRad_s : speed_rad_s) * dt_s;
   return std::clamp(left_rad, -most, most);
 }

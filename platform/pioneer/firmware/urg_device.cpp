@@ -20,7 +20,7 @@ constexpr int kMostSlower = 10;  // levels of CR; C-42-03320B
 /// Within so long of the first RB the second one reboots; SCIP 2.2
 constexpr Duration kRebootWithin = std::chrono::seconds(1);
 /// Of GD that wait for the mirror: more than a turn's worth of commands is not kept (ours)
-constexpr std::size_t kMostAsked = 8;
+constexpr std::size_t kMostScansAsked = 8;
 
 /// Of a command: characters of its parameters; C-42-03320B.
 struct KnownCommand {
@@ -33,7 +33,7 @@ constexpr KnownCommand kCommands[] = {
 };
 
 /// -1: not all of it is digits.
-int digits(const std::string& text) {
+int decimal_of(const std::string& text) {
   int value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   const bool all = error == std::errc{} && end == text.data() + text.size() && text[0] != '-';
@@ -181,7 +181,7 @@ std::string UrgDevice::set_clock_mode(char mode) {
 }
 
 std::string UrgDevice::set_speed(const std::string& level) {
-  int value = digits(level);
+  int value = decimal_of(level);
   if (value < 0) return "01";
   if (value == 99) value = 0;  // the initial speed
   if (value > kMostSlower) return "02";
@@ -190,7 +190,7 @@ std::string UrgDevice::set_speed(const std::string& level) {
 
 std::string UrgDevice::set_bit_rate(const std::string& rate) {
   constexpr std::array kRates{19200, 38400, 57600, 115200, 250000, 500000, 750000};
-  const int value = digits(rate);
+  const int value = decimal_of(rate);
   if (value < 0) return "01";
   if (std::find(kRates.begin(), kRates.end(), value) == kRates.end()) return "02";
   return std::exchange(bit_rate_, value) == value ? "03" : "00";
@@ -214,9 +214,9 @@ std::string UrgDevice::ask_scans(const std::string& body, const std::string& tai
   Scans scans{endless ? body.substr(0, 13) : body, tail, {}};
   scip::ScanRequest& request = scans.request;
   request.three_characters = body[1] == 'D';
-  request.first_step = digits(body.substr(2, 4));
-  request.last_step = digits(body.substr(6, 4));
-  request.group = digits(body.substr(10, 2));
+  request.first_step = decimal_of(body.substr(2, 4));
+  request.last_step = decimal_of(body.substr(6, 4));
+  request.group = decimal_of(body.substr(10, 2));
   if (request.first_step < 0) return "01";
   if (request.last_step < 0) return "02";
   if (request.group < 0) return "03";
@@ -228,12 +228,12 @@ std::string UrgDevice::ask_scans(const std::string& body, const std::string& tai
   if (clock_mode_) return "0B";
   if (!endless) {
     if (!laser_on_) return "10";
-    if (asked_.size() >= kMostAsked) return "0B";
+    if (asked_.size() >= kMostScansAsked) return "0B";
     asked_.push_back(std::move(scans));
     return {};
   }
-  request.skip = digits(body.substr(12, 1));
-  request.count = digits(body.substr(13, 2));
+  request.skip = decimal_of(body.substr(12, 1));
+  request.count = decimal_of(body.substr(13, 2));
   if (request.skip < 0) return "06";
   if (request.count < 0) return "07";
   laser_on_ = true;
