@@ -105,6 +105,14 @@ TEST(UrgDriver, SwitchesTheLaserOffAtTheEnd) {
   EXPECT_EQ(bed.driver.set_ups(), 1u);
 }
 
+TEST(UrgDriver, SetsUpALaserThatWasLeftInClockMode) {
+  Bed bed;
+  bed.device.receive(Bytes{'T', 'M', '0', '\n'});
+  (void)bed.device.take_output();
+  bed.run(1.0);
+  EXPECT_TRUE(bed.driver.scanning(bed.now));
+}
+
 TEST(UrgDevice, AnswersTheRecordedClient) {
   for (const auto& file : reference::urg_captures()) {
     SCOPED_TRACE(file);
