@@ -5,7 +5,10 @@
 #include "striate/agent/open_memory.hpp"
 #include "striate/app/commands/memory_command.hpp"
 #include "striate/app/memory/text_table.hpp"
+#include "striate/base/say.hpp"
+#include "striate/base/user_error.hpp"
 #include "striate/memory/long_term/forgetting.hpp"
+#include "striate/memory/long_term/memory_errors.hpp"
 
 namespace striate::app {
 namespace {
@@ -45,16 +48,20 @@ void print_plan(const MemoryCommandOptions& options, const memory::PrunePlan& pl
   fmt::print("{}", done ? "done\n" : "nothing was changed: --yes does it\n");
 }
 
-/// What pruning gave back reaches the disk only when the file is written anew.
+/// What pruning gave back reaches the disk only when the file is written anew. That it cannot be is
+/// no reason to say that nothing was pruned.
 void give_room_back(const std::string& path) {
-  memory::MemoryFile file(path, agent::memory_options(memory::Access::edit, "striate memory"));
+  const auto later = [&](const std::string& why) {
+    say(stderr, fmt::format("{}: {}: its room is given back by the next prune --yes\n", path, why));
+  };
   try {
+    memory::MemoryFile file(path, agent::memory_options(memory::Access::edit, "striate memory"));
     file.database().exec("VACUUM");
   } catch (const SQLite::Exception& error) {
-    const int code = error.getErrorCode();
-    const bool in_use = code == SQLITE_BUSY || code == SQLITE_LOCKED;
-    fmt::print(stderr, "{}: {}: its room is given back by the next prune --yes\n", path,
-               in_use ? "in use" : error.what());
+    const int code = error.getErrorCode() & memory::kPrimaryCode;
+    later(code == SQLITE_BUSY || code == SQLITE_LOCKED ? "in use" : error.what());
+  } catch (const UserError& error) {
+    later(error.what());
   }
 }
 

@@ -168,7 +168,7 @@ TEST_F(FailingCalls, WhatIsSaidToBeDoneIsDoneAndNothingElseIsLost) {
           EXPECT_EQ(exported(), exports);
         } else {
           EXPECT_TRUE(now == before || now == after) << now << "\n" << before << "\n" << after;
-          EXPECT_EQ(ended.out.find("done"), std::string::npos) << ended.out;
+          EXPECT_EQ(ended.out.find("done"), std::string::npos) << ended.out << ended.err;
           EXPECT_FALSE(ended.err.empty());
           (void)exported();
         }
