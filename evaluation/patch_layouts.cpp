@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "striate/base/user_error.hpp"
+#include "striate/evaluation/images/read_image.hpp"
 #include "striate/evaluation/images/set_files.hpp"
 
 namespace striate::evaluation {
@@ -87,10 +88,10 @@ PatchSet from_sequences(const std::vector<SequencePair>& pictures, const PatchCh
   fs::path seen;
   std::vector<cv::KeyPoint> first;
   for (const SequencePair& pair : pictures) {
-    if (pair.first != seen) first = sift_frames(read_grey(pair.first));
+    if (pair.first != seen) first = sift_frames(read_any_grey(pair.first));
     seen = pair.first;
-    offers.push_back({pair, frame_pairs(first, sift_frames(read_grey(pair.second)), pair.homography,
-                                        choice.tolerance)});
+    offers.push_back({pair, frame_pairs(first, sift_frames(read_any_grey(pair.second)),
+                                        pair.homography, choice.tolerance)});
   }
   const std::size_t share = fair_share(offers, static_cast<std::size_t>(choice.pairs));
   PatchSet set;
@@ -98,8 +99,8 @@ PatchSet from_sequences(const std::vector<SequencePair>& pictures, const PatchCh
   std::uint64_t seed = choice.seed;
   for (const Offer& offer : offers) {
     const std::size_t most = std::min({share, left, offer.frames.size()});
-    add_pairs(read_grey(offer.pictures.first), read_grey(offer.pictures.second), offer.frames, most,
-              ++seed, set);
+    add_pairs(read_any_grey(offer.pictures.first), read_any_grey(offer.pictures.second),
+              offer.frames, most, ++seed, set);
     left -= most;
   }
   return set;
@@ -172,7 +173,7 @@ PatchSet from_mosaics(const fs::path& folder, const PatchChoice& choice) {
   for (const fs::path& entry : sorted_entries(folder)) {
     if (set.mosaics.size() == wanted) break;
     if (!is_image(entry)) continue;
-    set.mosaics.push_back(read_grey(entry));
+    set.mosaics.push_back(read_any_grey(entry));
     if (set.mosaics.back().size() != cv::Size(1024, 1024)) {
       throw UserError(fmt::format("{}: expected 1024x1024 px", entry.string()));
     }

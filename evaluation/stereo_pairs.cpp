@@ -10,6 +10,7 @@
 #include "striate/base/index_within.hpp"
 #include "striate/base/user_error.hpp"
 #include "striate/evaluation/images/pfm.hpp"
+#include "striate/evaluation/images/read_image.hpp"
 #include "striate/evaluation/images/set_files.hpp"
 
 namespace striate::evaluation {
@@ -66,7 +67,7 @@ void look_into(const fs::path& folder, StereoFolders& found) {
 cv::Mat1f read_truth(const fs::path& path, double per_px) {
   if (path.extension() == ".pfm") return read_pfm(path);
   cv::Mat1f result;
-  read_grey(path).convertTo(result, CV_32F, 1.0 / per_px);
+  read_values(path).convertTo(result, CV_32F, 1.0 / per_px);
   return result;
 }
 
@@ -110,7 +111,7 @@ cv::Mat1f judged_truth(const StereoFolder& folder, cv::Size size) {
   const cv::Mat1f left = read_truth(folder.truth, folder.truth_per_px);
   require_same_size(folder.truth, left.size(), folder.left, size);
   if (!folder.seen_by_both.empty()) {
-    const cv::Mat1b seen = read_grey(folder.seen_by_both);
+    const cv::Mat1b seen = read_values(folder.seen_by_both);
     require_same_size(folder.seen_by_both, seen.size(), folder.left, size);
     cv::Mat1f truth = left.clone();
     truth.setTo(kUnknown, (seen != 255) | (truth <= 0.0F));
@@ -137,8 +138,7 @@ StereoFolders find_stereo_folders(const fs::path& root) {
 }
 
 StereoPair read_stereo_pair(const StereoFolder& folder, cv::Size size) {
-  const cv::Mat1b left = read_grey(folder.left), right = read_grey(folder.right);
-  require_same_size(folder.right, right.size(), folder.left, left.size());
+  const auto [left, right] = read_grey_pair(folder.left, folder.right);
   const cv::Mat1f truth = judged_truth(folder, left.size());
   StereoPair pair;
   pair.name = folder.name;

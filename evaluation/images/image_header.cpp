@@ -37,6 +37,37 @@ class ImageBytes {
   std::span<const std::uint8_t> bytes_;
 };
 
+/// What a TIFF directory says, in a TIFF file or in the EXIF of another one.
+struct TiffDirectory {
+  std::int64_t width_px = 0;
+  std::int64_t height_px = 0;
+  int orientation = 1;
+};
+
+/// The first directory of the TIFF structure that begins at `start`.
+TiffDirectory tiff_directory(const ImageBytes& bytes, std::size_t start) {
+  const bool little = bytes.says(start, "II");
+  const auto two = [&](std::size_t i) { return little ? bytes.little16(i) : bytes.big16(i); };
+  const auto four = [&](std::size_t i) { return little ? bytes.little32(i) : bytes.big32(i); };
+  // TIFF 6.0 tags ImageWidth, ImageLength and Orientation, type SHORT
+  constexpr std::uint32_t kWidth = 256, kHeight = 257, kOrientation = 274, kShort = 3;
+  TiffDirectory found;
+  if (!little && !bytes.says(start, "MM")) return found;
+  const std::size_t directory = start + four(start + 4);
+  for (std::size_t entry = 0; entry < two(directory); ++entry) {
+    const std::size_t at = directory + 2 + 12 * entry;
+    if (at + 12 > bytes.size()) break;
+    const std::int64_t value = two(at + 2) == kShort ? two(at + 8) : four(at + 8);
+    // The larger one where a tag stands twice: decoders differ in which they take.
+    if (two(at) == kWidth) found.width_px = std::max(found.width_px, value);
+    if (two(at) == kHeight) found.height_px = std::max(found.height_px, value);
+    if (two(at) == kOrientation && value >= 1 && value <= 8) {
+      found.orientation = static_cast<int>(value);
+    }
+  }
+  return found;
+}
+
 /// The checksum of PNG chunks (ISO 3309, reflected polynomial 0xEDB88320).
 std::uint32_t checksum(const ImageBytes& bytes, std::size_t from, std::size_t to) {
   // CRC-32 of PNG (ISO 3309) of every byte
@@ -53,6 +84,7 @@ ImageHeader png(const ImageBytes& bytes) {
     if (data_end + 4 > bytes.size()) break;
     if (checksum(bytes, at + 4, data_end) != bytes.big32(data_end)) break;
     if (bytes.says(at + 4, "IEND")) return header;
+    if (bytes.says(at + 4, "eXIf")) header.orientation = tiff_directory(bytes, at + 8).orientation;
     at = data_end + 4;
   }
   header.whole = false;
@@ -65,7 +97,8 @@ bool is_start_of_frame(std::uint32_t marker) {
 }
 
 ImageHeader jpeg(const ImageBytes& bytes) {
-  constexpr std::uint32_t kEnd = 0xD9;  // JPEG's EOI marker (ITU-T T.81)
+  constexpr std::uint32_t kEnd = 0xD9;           // JPEG's EOI marker (ITU-T T.81)
+  constexpr std::uint32_t kApplication1 = 0xE1;  // APP1, which EXIF 2.3 lies in
   ImageHeader header;
   for (std::size_t at = 2; at + 1 < bytes.size();) {
     const std::uint32_t marker = bytes.at(at + 1);
@@ -82,6 +115,9 @@ ImageHeader jpeg(const ImageBytes& bytes) {
     if (is_start_of_frame(marker) && header.width_px == 0) {
       header.height_px = bytes.big16(at + 5);
       header.width_px = bytes.big16(at + 7);
+    }
+    if (marker == kApplication1 && bytes.says(at + 4, {"Exif\0\0", 6})) {
+      header.orientation = tiff_directory(bytes, at + 10).orientation;
     }
     at += 2 + bytes.big16(at + 2);
   }
@@ -112,10 +148,14 @@ ImageHeader pnm(const ImageBytes& bytes) {
   header.width_px = pnm_number(bytes, at);
   header.height_px = pnm_number(bytes, at);
   const bool small = header.width_px < kNoImage_px && header.height_px < kNoImage_px;
+  const bool of_bits = kind == 1 || kind == 4;
+  header.binary = kind > 3;
+  if (!of_bits)
+    header.most = static_cast<int>(std::clamp<std::int64_t>(pnm_number(bytes, at), 1, 65535));
   if (kind < 4 || !small) return header;
   std::int64_t row_bytes = (header.width_px + 7) / 8;
   if (kind > 4) {
-    const std::int64_t sample_bytes = pnm_number(bytes, at) > 255 ? 2 : 1;
+    const std::int64_t sample_bytes = header.most > 255 ? 2 : 1;
     row_bytes = header.width_px * sample_bytes * (kind == 6 ? 3 : 1);
   }
   const auto there = static_cast<std::int64_t>(bytes.size()) - static_cast<std::int64_t>(at) - 1;
@@ -144,21 +184,9 @@ ImageHeader bmp(const ImageBytes& bytes) {
 }
 
 ImageHeader tiff(const ImageBytes& bytes) {
-  const bool little = bytes.says(0, "II");
-  const auto two = [&](std::size_t i) { return little ? bytes.little16(i) : bytes.big16(i); };
-  const auto four = [&](std::size_t i) { return little ? bytes.little32(i) : bytes.big32(i); };
-  // TIFF 6.0 tags ImageWidth and ImageLength, type SHORT
-  constexpr std::uint32_t kWidth = 256, kHeight = 257, kShort = 3;
-  ImageHeader header;
-  const std::size_t directory = four(4);
-  for (std::size_t entry = 0; entry < two(directory); ++entry) {
-    const std::size_t at = directory + 2 + 12 * entry;
-    if (at + 12 > bytes.size()) break;
-    const std::int64_t value = two(at + 2) == kShort ? two(at + 8) : four(at + 8);
-    // The larger one where a tag stands twice: decoders differ in which they take.
-    if (two(at) == kWidth) header.width_px = std::max(header.width_px, value);
-    if (two(at) == kHeight) header.height_px = std::max(header.height_px, value);
-  }
+  const TiffDirectory directory = tiff_directory(bytes, 0);
+  ImageHeader header{directory.width_px, directory.height_px};
+  header.orientation = directory.orientation;
   header.whole = header.width_px > 0 && header.height_px > 0;
   return header;
 }
@@ -176,6 +204,14 @@ ImageHeader webp(const ImageBytes& bytes) {
     header.height_px = bytes.little16(28) & 0x3FFFU;
   }
   header.whole = std::uint64_t{bytes.little32(4)} + 8 <= bytes.size();
+  for (std::size_t at = 12; at + 8 <= bytes.size();) {  // chunks of an even size
+    const std::size_t size = bytes.little32(at + 4);
+    if (bytes.says(at, "EXIF")) {
+      const bool named = bytes.says(at + 8, {"Exif\0\0", 6});  // some begin as a JPEG's does
+      header.orientation = tiff_directory(bytes, at + (named ? 14 : 8)).orientation;
+    }
+    at += 8 + size + size % 2;
+  }
   return header;
 }
 

@@ -12,6 +12,9 @@ struct ImageHeader {
   std::int64_t height_px = 0;
   bool floating = false;  ///< PFM, Radiance HDR or OpenEXR: no 8 or 16 bit pixels
   bool whole = true;      ///< false: the file ends too early, or a checksum is wrong
+  int orientation = 1;    ///< as EXIF and TIFF count, 1 to 8; 1: the pixels stand upright
+  int most = 0;           ///< the value of white where the header tells it (PNM); 0: it does not
+  bool binary = true;     ///< false: PNM of numbers as text, whose decoders stretch up to 255
 };
 
 /// Reads the header of a PNG, JPEG, PNM (P1 to P6), BMP, TIFF or WebP file, so that sizes are
@@ -20,7 +23,8 @@ struct ImageHeader {
 ///
 /// What is checked: PNG: every chunk's length and checksum up to IEND; JPEG: the segments up to the
 /// end marker; binary PNM and uncompressed BMP: bytes enough; WebP: the length it tells. Of the
-/// others cut-off files are left to the decoder.
+/// others cut-off files are left to the decoder. The orientation is read from JPEG, PNG, TIFF and
+/// WebP.
 [[nodiscard]] std::optional<ImageHeader> read_image_header(std::span<const std::uint8_t> bytes);
 
 }  // namespace striate::evaluation

@@ -14,6 +14,7 @@
 
 #include "striate/base/user_error.hpp"
 #include "striate/evaluation/images/image_header.hpp"
+#include "striate/platform/interface/pixel_range.hpp"
 
 namespace striate::evaluation {
 namespace {
@@ -70,7 +71,7 @@ void check_size(const fs::path& file, std::int64_t width_px, std::int64_t height
 
 /// Before anything is decoded: a few bytes can promise pixels that fill the memory, and decoders
 /// show a file that was cut off as far as it goes, without a word.
-void check_header(const fs::path& file, const std::vector<std::uint8_t>& bytes) {
+ImageHeader checked_header(const fs::path& file, const std::vector<std::uint8_t>& bytes) {
   const std::optional<ImageHeader> header = read_image_header(bytes);
   if (!header) refuse_as_unreadable(file);
   if (header->floating) refuse_floats(file);
@@ -81,10 +82,42 @@ void check_header(const fs::path& file, const std::vector<std::uint8_t>& bytes) 
     throw UserError(fmt::format("{}: is no image that can be read: it ends too early or is damaged",
                                 file.string()));
   }
+  return *header;
 }
 
-cv::Mat3b as_colour(const fs::path& file, cv::Mat& raw) {
-  if (raw.depth() == CV_16U) raw.convertTo(raw, CV_8U, 1.0 / 257.0);
+/// Turned and mirrored to what orientation 1 would be (EXIF 2.3, tag 0x0112).
+cv::Mat upright(const cv::Mat& image, int orientation) {
+  enum { flipped_left_right = 2, half_turn, flipped_up_down, transposed, right, transverse, left };
+  cv::Mat result;
+  switch (orientation) {
+    case flipped_left_right:
+      cv::flip(image, result, 1);
+      return result;
+    case half_turn:
+      cv::rotate(image, result, cv::ROTATE_180);
+      return result;
+    case flipped_up_down:
+      cv::flip(image, result, 0);
+      return result;
+    case transposed:
+      cv::transpose(image, result);
+      return result;
+    case right:
+      cv::rotate(image, result, cv::ROTATE_90_CLOCKWISE);
+      return result;
+    case transverse:
+      cv::rotate(image, result, cv::ROTATE_180);
+      cv::transpose(result, result);
+      return result;
+    case left:
+      cv::rotate(image, result, cv::ROTATE_90_COUNTERCLOCKWISE);
+      return result;
+    default:
+      return image;
+  }
+}
+
+cv::Mat3b as_colour(const fs::path& file, const cv::Mat& raw) {
   cv::Mat3b image;
   switch (raw.channels()) {
     case 1:
@@ -101,21 +134,95 @@ cv::Mat3b as_colour(const fs::path& file, cv::Mat& raw) {
   }
 }
 
+/// A file as it was decoded: upright, but with the values that stand in it.
+struct RawPicture {
+  cv::Mat pixels;
+  ImageHeader header;
+};
+
+RawPicture read_raw(const fs::path& file, int flags) {
+  const std::vector<std::uint8_t> bytes = read_bytes(file);
+  RawPicture raw{{}, checked_header(file, bytes)};
+  try {
+    raw.pixels = cv::imdecode(bytes, flags | cv::IMREAD_IGNORE_ORIENTATION);
+  } catch (const cv::Exception&) {
+    raw.pixels.release();
+  }
+  if (raw.pixels.empty()) refuse_as_unreadable(file);
+  if (raw.pixels.depth() != CV_8U && raw.pixels.depth() != CV_16U) refuse_floats(file);
+  // Where the header did not tell, or not the truth.
+  check_size(file, raw.pixels.cols, raw.pixels.rows);
+  const bool tiff = bytes[0] == bytes[1];  // "II" or "MM": its decoder turns by itself
+  if (!tiff) raw.pixels = upright(raw.pixels, raw.header.orientation);
+  return raw;
+}
+
+/// The value that is white. Its decoder stretches the text kinds of PNM with up to 8 bits already.
+int white_of(const RawPicture& raw, int bits) {
+  constexpr int kAll = 255;  // the most that CV_8U holds
+  const bool deep = raw.pixels.depth() == CV_16U;
+  if (raw.header.most > 0 && (deep || raw.header.binary)) return raw.header.most;
+  return deep ? most_of_bits(bits) : kAll;
+}
+
+cv::Mat of_eight_bits(const RawPicture& raw, int bits) {
+  return as_eight_bits(raw.pixels, white_of(raw, bits));
+}
+
+void refuse_turned(const fs::path& file, const RawPicture& raw) {
+  if (raw.header.orientation == 1) return;
+  throw UserError(fmt::format(
+      "{}: its EXIF says that the camera was turned or mirrored (orientation {}); the eyes of a "
+      "pair must stand side by side\n    hint: give pictures whose pixels stand upright, without "
+      "that tag",
+      file.string(), raw.header.orientation));
+}
+
+struct RawPair {
+  RawPicture left;
+  RawPicture right;
+  int bits = 0;  ///< of both together
+};
+
+RawPair read_raw_pair(const fs::path& left_file, const fs::path& right_file, int flags) {
+  RawPair pair{read_raw(left_file, flags), read_raw(right_file, flags)};
+  refuse_turned(left_file, pair.left);
+  refuse_turned(right_file, pair.right);
+  const cv::Mat& left = pair.left.pixels;
+  const cv::Mat& right = pair.right.pixels;
+  if (left.size() != right.size()) {
+    throw UserError(fmt::format(
+        "{} is {} x {} but {} is {} x {}: left and right must be a rectified pair of one size",
+        left_file.string(), left.cols, left.rows, right_file.string(), right.cols, right.rows));
+  }
+  pair.bits = std::max(bits_used(left), bits_used(right));
+  return pair;
+}
+
+/// Luminance is the decoder's affair: a JPEG holds it.
+constexpr int kGreyAsItIs = cv::IMREAD_GRAYSCALE | cv::IMREAD_ANYDEPTH;
+
 }  // namespace
 
 cv::Mat3b read_any_image(const fs::path& file) {
-  const std::vector<std::uint8_t> bytes = read_bytes(file);
-  check_header(file, bytes);
-  cv::Mat raw;
-  try {
-    raw = cv::imdecode(bytes, cv::IMREAD_UNCHANGED);
-  } catch (const cv::Exception&) {
-    raw.release();
-  }
-  if (raw.empty()) refuse_as_unreadable(file);
-  if (raw.depth() != CV_8U && raw.depth() != CV_16U) refuse_floats(file);
-  check_size(file, raw.cols, raw.rows);  // where the header did not tell, or not the truth
-  return as_colour(file, raw);
+  const RawPicture raw = read_raw(file, cv::IMREAD_UNCHANGED);
+  return as_colour(file, of_eight_bits(raw, bits_used(raw.pixels)));
+}
+
+cv::Mat1b read_any_grey(const fs::path& file) {
+  const RawPicture raw = read_raw(file, kGreyAsItIs);
+  return of_eight_bits(raw, bits_used(raw.pixels));
+}
+
+EyePair read_eye_pair(const fs::path& left, const fs::path& right) {
+  const RawPair pair = read_raw_pair(left, right, cv::IMREAD_UNCHANGED);
+  return {as_colour(left, of_eight_bits(pair.left, pair.bits)),
+          as_colour(right, of_eight_bits(pair.right, pair.bits))};
+}
+
+GreyPair read_grey_pair(const fs::path& left, const fs::path& right) {
+  const RawPair pair = read_raw_pair(left, right, kGreyAsItIs);
+  return {of_eight_bits(pair.left, pair.bits), of_eight_bits(pair.right, pair.bits)};
 }
 
 }  // namespace striate::evaluation

@@ -11,13 +11,14 @@
 namespace striate::evaluation {
 
 bool is_image(const std::filesystem::path& file) {
-  constexpr const char* kSuffixes[] = {".png", ".ppm", ".pgm", ".bmp", ".jpg", ".jpeg"};
+  constexpr const char* kSuffixes[] = {".png", ".jpg", ".jpeg", ".pgm",  ".ppm",
+                                       ".pnm", ".bmp", ".tif",  ".tiff", ".webp"};
   std::string suffix = file.extension().string();
   std::ranges::transform(suffix, suffix.begin(), [](unsigned char c) { return std::tolower(c); });
   return std::ranges::find(kSuffixes, suffix) != std::end(kSuffixes);
 }
 
-cv::Mat1b read_grey(const std::filesystem::path& file) {
+cv::Mat1b read_values(const std::filesystem::path& file) {
   cv::Mat1b image = cv::imread(file.string(), cv::IMREAD_GRAYSCALE);
   if (image.empty()) throw UserError(file.string() + ": cannot be read as an image");
   return image;

@@ -6,6 +6,7 @@
 #include "striate/base/user_error.hpp"
 #include "striate/config/configuration_path.hpp"
 #include "striate/config/quantity.hpp"
+#include "striate/platform/interface/pixel_range.hpp"
 #include "striate/platform/simulator/render/paint.hpp"
 
 namespace striate::simulator::render {
@@ -58,10 +59,12 @@ int Materials::find(const std::string& name, const std::string& for_what) {
                     " is no shipped material and no image file" +
                     (hint.empty() ? std::string() : "; " + hint));
   }
-  const cv::Mat3b image = cv::imread(file, cv::IMREAD_COLOR);
-  if (image.empty()) {
+  cv::Mat picture = cv::imread(file, cv::IMREAD_COLOR | cv::IMREAD_ANYDEPTH);
+  if (picture.depth() > CV_16U) picture = cv::imread(file, cv::IMREAD_COLOR);  // of floats
+  if (picture.empty()) {
     throw UserError(place + "'" + file + "' of a " + for_what + " cannot be read as an image");
   }
+  const cv::Mat3b image = as_eight_bits(picture, most_of_bits(bits_used(picture)));
   material.texture = std::make_shared<Texture>(image);
   return add(name, std::move(material));
 }
