@@ -1,19 +1,16 @@
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <filesystem>
 #include <memory>
-#include <opencv2/imgcodecs.hpp>
 
 #include "striate/app/commands/commands.hpp"
 #include "striate/base/files.hpp"
 #include "striate/base/user_error.hpp"
+#include "striate/evaluation/calibration/board_images.hpp"
 #include "striate/evaluation/calibration/calibrate_stereo.hpp"
+#include "striate/evaluation/images/read_image.hpp"
 
 namespace striate::app {
 namespace {
-
-namespace fs = std::filesystem;
 
 struct CalibrateOptions {
   std::string folder;
@@ -29,33 +26,6 @@ struct Looks {
   std::vector<std::string> without_board;
   cv::Size size_px;
 };
-
-/// Shown where a folder holds no pairs
-constexpr const char* kLayout =
-    "\n  hint: FOLDER/left/*.png and FOLDER/right/*.png with the same names, or with "
-    "--side-by-side "
-    "FOLDER/*.png";
-
-std::vector<fs::path> images_in(const fs::path& folder) {
-  std::vector<fs::path> files;
-  std::error_code error;
-  for (const auto& entry : fs::directory_iterator(folder, error)) {
-    const std::string kind = entry.path().extension();
-    if (kind == ".png" || kind == ".jpg" || kind == ".pgm" || kind == ".bmp") {
-      files.push_back(entry.path());
-    }
-  }
-  if (error) throw UserError(folder.string() + ": " + error.message() + kLayout);
-  std::sort(files.begin(), files.end());
-  if (files.empty()) throw UserError(folder.string() + ": no images" + kLayout);
-  return files;
-}
-
-cv::Mat1b read_grey(const fs::path& file) {
-  cv::Mat1b image = cv::imread(file, cv::IMREAD_GRAYSCALE);
-  if (image.empty()) throw UserError(file.string() + ": is no image" + kLayout);
-  return image;
-}
 
 void look(const std::string& name, const cv::Mat1b& left, const cv::Mat1b& right,
           const CalibrateOptions& options, Looks& looks) {
@@ -73,43 +43,73 @@ void look(const std::string& name, const cv::Mat1b& left, const cv::Mat1b& right
   looks.pairs.push_back(std::move(*pair));
 }
 
-Looks look_at_all(const CalibrateOptions& options) {
+Looks look_at_all(const evaluation::BoardFolder& folder, const CalibrateOptions& options) {
   Looks looks;
-  const fs::path folder = options.folder;
-  for (const fs::path& file : images_in(options.side_by_side ? folder : folder / "left")) {
-    const std::string name = file.filename();
-    const cv::Mat1b image = read_grey(file);
-    if (options.side_by_side) {
+  for (const evaluation::BoardFiles& files : folder.looks) {
+    if (files.right.empty()) {
+      const cv::Mat1b image = evaluation::read_any_grey(files.left);
       const int half = image.cols / 2;
-      look(name, image.colRange(0, half), image.colRange(half, 2 * half), options, looks);
+      look(files.name, image.colRange(0, half), image.colRange(half, 2 * half), options, looks);
     } else {
-      look(name, image, read_grey(folder / "right" / name), options, looks);
+      const auto [left, right] = evaluation::read_grey_pair(files.left, files.right);
+      look(files.name, left, right, options, looks);
     }
   }
   return looks;
+}
+
+void print_report(const evaluation::CalibrationReport& report) {
+  for (const evaluation::PairError& pair : report.pairs) {
+    fmt::print("{}: reprojection {:.3f} px, rectification {:.3f} px\n", pair.name,
+               pair.reprojection_px, pair.epipolar_px);
+  }
+  for (const evaluation::PairError& pair : report.left_out) {
+    fmt::print("{}: LEFT OUT, it does not agree with the others: {:.1f} px away from them\n",
+               pair.name, pair.reprojection_px);
+  }
+  const pioneer::StereoCalibration& found = report.calibration;
+  fmt::print("{} pairs of {} x {} px: reprojection {:.3f} px, rectification {:.3f} px (rms)\n",
+             found.pairs, found.size_px.width, found.size_px.height, found.reprojection_px,
+             found.epipolar_px);
+  fmt::print("focal lengths {:.1f} and {:.1f} px, baseline {:.2f} mm\n", found.left.matrix(0, 0),
+             found.right.matrix(0, 0), 1000.0 * cv::norm(found.translation_m));
+}
+
+/// On standard error, where whoever keeps the output in a file sees it.
+void warn(const evaluation::CalibrationReport& report) {
+  if (!report.left_out.empty()) {
+    fmt::print(stderr,
+               "warning: {} of {} pairs left out, since they do not agree with the others: {}\n",
+               report.left_out.size(), report.left_out.size() + report.pairs.size(),
+               evaluation::worst_of(report.left_out));
+  }
+  const double error_px = pioneer::error_px(report.calibration);
+  if (pioneer::exactness_of(error_px) != pioneer::Exactness::poor) return;
+  fmt::print(stderr,
+             "warning: it errs by {:.2f} px, below 0.5 px is usual: distances will be wrong; the "
+             "worst pairs: {}\n",
+             error_px, evaluation::worst_of(report.pairs));
 }
 
 int calibrate(const CalibrateOptions& given) {
   CalibrateOptions options = given;
   options.board.square_m = options.square_mm / 1000.0;
   check_writable(options.out);
-  const Looks looks = look_at_all(options);
+  const evaluation::BoardFolder folder =
+      evaluation::find_board_images(options.folder, options.side_by_side);
+  for (const std::string& name : folder.unpaired) {
+    fmt::print(stderr, "warning: {}: the other eye has no image of that name; it is left out\n",
+               name);
+  }
+  const Looks looks = look_at_all(folder, options);
   for (const std::string& name : looks.without_board) {
     fmt::print("{}: the whole board is not seen in both images\n", name);
   }
   const evaluation::CalibrationReport report =
       evaluation::calibrate_stereo(looks.pairs, options.board, looks.size_px);
-  for (const evaluation::PairError& pair : report.pairs) {
-    fmt::print("{}: reprojection {:.3f} px, rectification {:.3f} px\n", pair.name,
-               pair.reprojection_px, pair.epipolar_px);
-  }
-  const pioneer::StereoCalibration& found = report.calibration;
-  pioneer::write_calibration(options.out, found);
-  fmt::print("{} pairs of {} x {} px: reprojection {:.3f} px, rectification {:.3f} px (rms)\n",
-             found.pairs, found.size_px.width, found.size_px.height, found.reprojection_px,
-             found.epipolar_px);
-  fmt::print("focal lengths {:.1f} and {:.1f} px, baseline {:.2f} mm\n", found.left.matrix(0, 0),
-             found.right.matrix(0, 0), 1000.0 * cv::norm(found.translation_m));
+  print_report(report);
+  warn(report);
+  pioneer::write_calibration(options.out, report.calibration);
   fmt::print(
       "{}: written; the robot's settings name it: pioneer: {{camera: {{calibration: {}}}}}\n",
       options.out, options.out);
@@ -123,6 +123,9 @@ void add_calibrate_command(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand(
       "calibrate",
       "Finds lenses and pose of a stereo camera from chessboard pairs, and tells how exact it is.\n"
+      "Pairs that do not agree with the others are named and left out; above 1 px of error it "
+      "warns,\n"
+      "above 3 px nothing is written and the exit code is 2.\n"
       "Example: striate calibrate images --columns 9 --rows 6 --square-mm 25 --out stereo.yaml");
   command
       ->add_option("folder", options->folder, "with left/*.png and right/*.png of the same names")

@@ -17,14 +17,19 @@ struct PairError {
 
 struct CalibrationReport {
   pioneer::StereoCalibration calibration;
-  std::vector<PairError> pairs;
+  std::vector<PairError> pairs;     ///< that it was made from
+  std::vector<PairError> left_out;  ///< that do not agree with the others, worst first
 };
 
 /// Lenses and pose of two cameras from looks at a chessboard: each camera alone, then both
-/// together.
+/// together, from the pairs that agree with each other (see consistent_pairs.hpp).
 /// @param size_px of the images
-/// @throws UserError with fewer than kFewestPairs pairs, or where right and left are exchanged.
+/// @throws UserError with fewer than kFewestPairs pairs or fewer that agree, where right and left
+/// are exchanged, and where the error is above pioneer::kUseless_px; it names the worst pairs.
 [[nodiscard]] CalibrationReport calibrate_stereo(const std::vector<BoardPair>& pairs,
                                                  const Chessboard& board, cv::Size size_px);
+
+/// Names and errors of the worst few, worst first, for a sentence.
+[[nodiscard]] std::string worst_of(std::vector<PairError> pairs);
 
 }  // namespace striate::evaluation

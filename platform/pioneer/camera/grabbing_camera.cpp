@@ -21,7 +21,7 @@ GrabbingCamera::GrabbingCamera(std::unique_ptr<FrameSource> source,
                                const StereoCameraSettings& settings, const Clock& clock)
     : source_(std::move(source)), settings_(settings), clock_(clock) {
   if (!settings.calibration.empty()) {
-    rectifier_.emplace(read_calibration(settings.calibration), settings.width_px);
+    rectifier_.emplace(usable_calibration(settings.calibration), settings.width_px);
   }
   thread_ = std::thread([this] { run(); });
 }

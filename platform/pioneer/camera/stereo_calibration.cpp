@@ -1,5 +1,7 @@
 #include "striate/platform/pioneer/camera/stereo_calibration.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <filesystem>
 #include <opencv2/core.hpp>
@@ -52,6 +54,22 @@ bool makes_sense(const StereoCalibration& calibration) {
 
 }  // namespace
 
+double error_px(const StereoCalibration& calibration) {
+  // Also where one is no number.
+  return calibration.epipolar_px <= calibration.reprojection_px ? calibration.reprojection_px
+                                                                : calibration.epipolar_px;
+}
+
+Exactness exactness_of(double error_px) {
+  if (!(error_px >= 0.0 && error_px <= kUseless_px)) return Exactness::useless;
+  return error_px > kPoor_px ? Exactness::poor : Exactness::good;
+}
+
+Exactness exactness_of(const StereoCalibration& calibration) {
+  const double error = error_px(calibration);
+  return error == 0.0 ? Exactness::unknown : exactness_of(error);
+}
+
 StereoCalibration scaled(const StereoCalibration& calibration, int width_px) {
   StereoCalibration result = calibration;
   const double by = static_cast<double>(width_px) / calibration.size_px.width;
@@ -79,6 +97,16 @@ StereoCalibration read_calibration(const std::string& file) {
                     "  hint: 'striate calibrate' makes one from chessboard pairs");
   }
   return calibration;
+}
+
+StereoCalibration usable_calibration(const std::string& file) {
+  const StereoCalibration calibration = read_calibration(file);
+  if (exactness_of(calibration) != Exactness::useless) return calibration;
+  throw UserError(
+      fmt::format("{}: this calibration errs by {:.1f} px, with which no picture is matched "
+                  "rightly; up to {:.0f} px can be used\n"
+                  "  hint: make it anew: 'striate calibrate' names the pairs that are wrong",
+                  file, error_px(calibration), kUseless_px));
 }
 
 void write_calibration(const std::string& file, const StereoCalibration& calibration) {

@@ -24,12 +24,34 @@ struct StereoCalibration {
   double epipolar_px = 0.0;  ///< root mean square of the height between matching corners, rectified
 };
 
+/// How far a calibration may be trusted, by the errors that were measured when it was made.
+enum class Exactness {
+  good,
+  poor,     ///< above kPoor_px: distances suffer
+  useless,  ///< above kUseless_px, or no number: no picture is matched rightly with it
+  unknown   ///< it tells no error
+};
+
+/// Px. Corners are found within a tenth of one: what errs by a whole one was looked at wrongly.
+inline constexpr double kPoor_px = 1.0;
+/// Px. The paper's camera has 24 px of disparity at 4 m in images 640 px wide (f B = 97 px m): 3 px
+/// are an eighth of the distance there, and rows that differ by as many share no texture.
+inline constexpr double kUseless_px = 3.0;
+
+/// The worse one of both errors.
+[[nodiscard]] double error_px(const StereoCalibration& calibration);
+[[nodiscard]] Exactness exactness_of(double error_px);
+[[nodiscard]] Exactness exactness_of(const StereoCalibration& calibration);
+
 /// The same cameras with images of another width; the shape stays.
 [[nodiscard]] StereoCalibration scaled(const StereoCalibration& calibration, int width_px);
 
 /// YAML as OpenCV's FileStorage writes it.
 /// @throws UserError when the file cannot be read or does not hold a calibration.
 [[nodiscard]] StereoCalibration read_calibration(const std::string& file);
+
+/// The same, for a robot that is to drive by it. @throws UserError, too, where it is useless.
+[[nodiscard]] StereoCalibration usable_calibration(const std::string& file);
 /// @throws std::runtime_error when it cannot be written.
 void write_calibration(const std::string& file, const StereoCalibration& calibration);
 

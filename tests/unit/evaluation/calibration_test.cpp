@@ -7,6 +7,7 @@
 
 #include "striate/base/geometry.hpp"
 #include "striate/base/user_error.hpp"
+#include "striate/evaluation/calibration/board_images.hpp"
 #include "striate/evaluation/calibration/calibrate_stereo.hpp"
 #include "striate/platform/pioneer/camera/rectifier.hpp"
 #include "tests/reference/board_camera.hpp"
@@ -134,6 +135,150 @@ TEST(CalibrateStereo, ItsFileRectifiesTheImagesItWasMadeFrom) {
         << "the board is as large as it is";
   }
   EXPECT_GE(compared, 6);
+}
+
+std::vector<BoardPair> named_pairs() {
+  std::vector<BoardPair> pairs = found();
+  for (std::size_t i = 0; i < pairs.size(); ++i) pairs[i].name = "p" + std::to_string(i);
+  return pairs;
+}
+
+/// The board has moved on when the right image is taken.
+void take_right_from(std::vector<BoardPair>& pairs, std::size_t which, std::size_t other) {
+  pairs[which].right_px = found()[other].right_px;
+}
+
+TEST(CalibrateStereo, PairsThatWereNotTakenAtOneMomentAreNamedAndSpoilNothing) {
+  const double baseline_m = cv::norm(true_cameras().translation_m);
+  for (const std::vector<std::size_t>& wrong : {std::vector<std::size_t>{4}, {0}, {2, 7, 9, 11}}) {
+    std::vector<BoardPair> pairs = named_pairs();
+    for (const std::size_t i : wrong) take_right_from(pairs, i, (i + 1) % pairs.size());
+    const CalibrationReport report = calibrate_stereo(pairs, kBoard, kSize);
+    EXPECT_LT(report.calibration.reprojection_px, 0.15);
+    EXPECT_NEAR(cv::norm(report.calibration.translation_m), baseline_m, 0.001);
+    std::vector<std::string> left_out;
+    for (const PairError& pair : report.left_out) {
+      left_out.push_back(pair.name);
+      EXPECT_GT(pair.reprojection_px, 3.0);
+    }
+    std::vector<std::string> expected;
+    for (const std::size_t i : wrong) expected.push_back("p" + std::to_string(i));
+    EXPECT_THAT(left_out, testing::UnorderedElementsAreArray(expected));
+    EXPECT_EQ(report.pairs.size() + wrong.size(), pairs.size());
+  }
+}
+
+TEST(CalibrateStereo, ABoardThatSlippedALittleIsLeftOutToo) {
+  std::vector<BoardPair> pairs = named_pairs();
+  for (cv::Point2f& corner : pairs[3].right_px) corner += cv::Point2f(0.0F, 2.5F);
+  const CalibrationReport report = calibrate_stereo(pairs, kBoard, kSize);
+  ASSERT_EQ(report.left_out.size(), 1U);
+  EXPECT_EQ(report.left_out.front().name, "p3");
+  EXPECT_LT(report.calibration.epipolar_px, 0.15);
+}
+
+TEST(CalibrateStereo, CornersOfOneEyeThatFitNoLensAreLeftOut) {
+  std::vector<BoardPair> pairs = named_pairs();
+  for (std::size_t k = 0; k < 8; ++k) pairs[6].left_px[k] += cv::Point2f(9.0F, -7.0F);
+  const CalibrationReport report = calibrate_stereo(pairs, kBoard, kSize);
+  ASSERT_EQ(report.left_out.size(), 1U);
+  EXPECT_EQ(report.left_out.front().name, "p6");
+  EXPECT_NEAR(report.calibration.left.matrix(0, 0), 610.0, 6.0);
+}
+
+TEST(CalibrateStereo, WhereAllRightImagesCameLateNothingIsMadeOfThem) {
+  std::vector<BoardPair> pairs = named_pairs();
+  for (std::size_t i = 0; i < pairs.size(); ++i) take_right_from(pairs, i, (i + 1) % pairs.size());
+  try {
+    (void)calibrate_stereo(pairs, kBoard, kSize);
+    ADD_FAILURE() << "late images were not noticed";
+  } catch (const UserError& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("same moment"));
+  }
+}
+
+TEST(CalibrateStereo, CornersThatErrEverywhereAreRefusedAndTheWorstPairsNamed) {
+  std::vector<BoardPair> pairs = named_pairs();
+  cv::RNG random(5);
+  for (BoardPair& pair : pairs) {
+    for (cv::Point2f& corner : pair.right_px) {
+      corner += cv::Point2f(static_cast<float>(random.gaussian(5.0)),
+                            static_cast<float>(random.gaussian(5.0)));
+    }
+  }
+  try {
+    (void)calibrate_stereo(pairs, kBoard, kSize);
+    ADD_FAILURE() << "a calibration with which nothing can be matched";
+  } catch (const UserError&) {
+  }
+}
+
+TEST(StereoCalibration, IsJudgedByTheErrorsThatStandInIt) {
+  const reference::TemporaryFolder folder;
+  const std::string file = folder / "stereo.yaml";
+  pioneer::StereoCalibration calibration = true_cameras();
+  struct Judged {
+    double reprojection_px, epipolar_px;
+    pioneer::Exactness exactness;
+  };
+  for (const Judged& one : {Judged{0.2, 0.3, pioneer::Exactness::good},
+                            {1.2, 0.3, pioneer::Exactness::poor},
+                            {0.3, 2.9, pioneer::Exactness::poor},
+                            {42.0, 0.4, pioneer::Exactness::useless},
+                            {0.2, std::nan(""), pioneer::Exactness::useless},
+                            {0.0, 0.0, pioneer::Exactness::unknown}}) {
+    calibration.reprojection_px = one.reprojection_px;
+    calibration.epipolar_px = one.epipolar_px;
+    EXPECT_EQ(pioneer::exactness_of(calibration), one.exactness) << one.reprojection_px;
+    pioneer::write_calibration(file, calibration);
+    if (one.exactness == pioneer::Exactness::useless) {
+      EXPECT_THROW((void)pioneer::usable_calibration(file), UserError);
+    } else {
+      EXPECT_NO_THROW((void)pioneer::usable_calibration(file));
+    }
+  }
+}
+
+void touch(const std::filesystem::path& file) {
+  std::filesystem::create_directories(file.parent_path());
+  std::ofstream(file) << "x";
+}
+
+std::string board_images_error(const std::string& folder) {
+  try {
+    (void)find_board_images(folder, false);
+  } catch (const UserError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(BoardImages, ArePairedByNameWhateverTheSuffixAndWhoHasNoPartnerIsNamed) {
+  const reference::TemporaryFolder folder;
+  EXPECT_THAT(board_images_error(folder.path()), testing::HasSubstr("left: No such file"));
+  for (const char* name : {"left/a.PNG", "right/a.PNG", "left/b.JPG", "right/b.jpeg", "left/c.Tiff",
+                           "right/c.tif", "left/d.png", "right/e.pgm", "left/notes.txt"}) {
+    touch(folder / name);
+  }
+  const BoardFolder found = find_board_images(folder.path(), false);
+  std::vector<std::string> names;
+  for (const BoardFiles& look : found.looks) {
+    names.push_back(look.name);
+    EXPECT_EQ(look.left.stem(), look.right.stem());
+  }
+  EXPECT_THAT(names, testing::ElementsAre("a.PNG", "b.JPG", "c.Tiff"));
+  EXPECT_THAT(found.unpaired, testing::ElementsAre("left/d.png", "right/e.pgm"));
+  EXPECT_EQ(find_board_images(folder / "left", true).looks.size(), 4U);
+  touch(folder / "left/a.jpg");
+  EXPECT_THAT(board_images_error(folder.path()), testing::HasSubstr("is there beside"));
+}
+
+TEST(BoardImages, FoldersWithoutAPairSayWhatIsThere) {
+  const reference::TemporaryFolder folder;
+  touch(folder / "left/1.png");
+  touch(folder / "right/2.png");
+  EXPECT_THAT(board_images_error(folder.path()),
+              testing::AllOf(testing::HasSubstr("left/1.png"), testing::HasSubstr("right/2.png")));
 }
 
 TEST(CalibrateStereo, TellsWhatIsMissing) {
