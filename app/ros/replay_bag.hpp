@@ -8,6 +8,7 @@ namespace striate::app {
 struct ReplayBagOptions {
   std::string bag;
   std::string robot;      ///< settings; the section `ros` names topics
+  std::string camera;     ///< what its topics begin with, where the bag has several stereo cameras
   std::string out;        ///< folder for percepts.jsonl and images; empty: none
   int picture_every = 0;  ///< an overview image every so many image pairs; 0: none
 };

@@ -38,10 +38,21 @@ BagTopics topics_of(rosbag::Bag& bag) {
   return topics;
 }
 
+/// Errors name the file.
+RosSettings topics_to_read(const std::string& file, const BagTopics& topics,
+                           const RosSettings& given, const std::string& camera) {
+  try {
+    return find_topics(topics, given, camera);
+  } catch (const UserError& error) {
+    throw UserError(file + ": " + error.what());
+  }
+}
+
 }  // namespace
 
 struct BagRobot::Parts {
-  Parts(const std::string& file, const RosSettings& given, const RobotDescription& body);
+  Parts(const std::string& file, const RosSettings& given, const RobotDescription& body,
+        const std::string& camera);
   void take(const rosbag::MessageInstance& message);
   template <class Message>
   bool take_eyes(const rosbag::MessageInstance& message, const std::string& left,
@@ -64,11 +75,11 @@ struct BagRobot::Parts {
 };
 
 BagRobot::Parts::Parts(const std::string& name, const RosSettings& given,
-                       const RobotDescription& body)
+                       const RobotDescription& body, const std::string& camera)
     : file(name),
       bag(open(name)),
       topics(topics_of(*bag)),
-      settings(find_topics(topics, given)),
+      settings(topics_to_read(name, topics, given, camera)),
       description(body),
       inbox(settings),
       view(*bag, rosbag::TopicQuery(std::vector<std::string>{
@@ -129,10 +140,14 @@ void BagRobot::Parts::take(const rosbag::MessageInstance& message) {
 }
 
 BagRobot::BagRobot(const std::string& file, const RosSettings& settings,
-                   const RobotDescription& description)
-    : parts_(std::make_unique<Parts>(file, settings, description)) {}
+                   const RobotDescription& description, const std::string& camera)
+    : parts_(std::make_unique<Parts>(file, settings, description, camera)) {}
 
 BagRobot::~BagRobot() = default;
+
+const RosSettings& BagRobot::settings() const {
+  return parts_->settings;
+}
 
 const RobotDescription& BagRobot::description() const {
   return parts_->description;

@@ -10,15 +10,18 @@ namespace striate::ros {
 
 /// A ROS bag as a body: the recorded images and odometry, one image pair a cycle, as fast as
 /// they are asked for. Needs no master. Commands go nowhere. Topics of the settings that the bag
-/// does not have are looked for by their type and name ("left", "right").
+/// does not have are looked for by their type and name (see find_topics()).
 class BagRobot final : public Robot {
  public:
-  /// @throws UserError where the file is no bag, or has no stereo images of a known camera; the
-  /// message lists what topics it has.
+  /// @param camera what the eyes' topics begin with, for bags of several stereo cameras
+  /// @throws UserError where the file is no bag, has no stereo images of a known camera, or several
+  /// such cameras; the message lists what topics it has.
   BagRobot(const std::string& file, const RosSettings& settings,
-           const RobotDescription& description = {});
+           const RobotDescription& description = {}, const std::string& camera = {});
   ~BagRobot() override;
 
+  /// With the topics that are read.
+  [[nodiscard]] const RosSettings& settings() const;
   [[nodiscard]] const RobotDescription& description() const override;
   /// The bag's time, from its beginning.
   [[nodiscard]] const Clock& clock() const override;

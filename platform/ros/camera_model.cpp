@@ -1,5 +1,7 @@
 #include "striate/platform/ros/camera_model.hpp"
 
+#include "striate/platform/interface/align_eyes.hpp"
+
 namespace striate::ros {
 
 // P[3] is -focal times the place of the eye to the right of the first one; see the definition of P
@@ -11,16 +13,28 @@ double CameraModel::baseline_m() const {
 }
 
 void CameraModel::fill(StereoFrame& frame) const {
-  const double scale =
-      left_.width_px > 0 ? static_cast<double>(frame.left.cols) / left_.width_px : 1.0;
-  const bool has_centre = left_.projection[2] > 0.0 && left_.projection[6] > 0.0;
-  frame.focal_px = focal_px_ > 0.0 ? focal_px_ : left_.projection[0] * scale;
+  const auto scale_of = [&frame](const EyeInfo& eye) {
+    return eye.width_px > 0 ? static_cast<double>(frame.left.cols) / eye.width_px : 1.0;
+  };
+  const auto has_centre = [](const EyeInfo& eye) {
+    return eye.projection[2] > 0.0 && eye.projection[6] > 0.0;
+  };
   // Pixel centres are at integers here and there; a smaller image keeps its outer edges.
+  const auto centre = [](double px, double scale) { return (px + 0.5) * scale - 0.5; };
+  const double scale = scale_of(left_);
+  frame.focal_px = focal_px_ > 0.0 ? focal_px_ : left_.projection[0] * scale;
   frame.centre_u_px =
-      has_centre ? (left_.projection[2] + 0.5) * scale - 0.5 : (frame.left.cols - 1) / 2.0;
+      has_centre(left_) ? centre(left_.projection[2], scale) : (frame.left.cols - 1) / 2.0;
   frame.centre_v_px =
-      has_centre ? (left_.projection[6] + 0.5) * scale - 0.5 : (frame.left.rows - 1) / 2.0;
+      has_centre(left_) ? centre(left_.projection[6], scale) : (frame.left.rows - 1) / 2.0;
   frame.baseline_m = baseline_m();
+  if (!has_centre(left_) || !has_centre(right_)) return;
+  const double right_scale = scale_of(right_);
+  // A focal length that was told by hand is that of both eyes.
+  const double right_focal_px =
+      focal_px_ > 0.0 ? frame.focal_px : right_.projection[0] * right_scale;
+  align_eyes(frame, {right_focal_px, centre(right_.projection[2], right_scale),
+                     centre(right_.projection[6], right_scale)});
 }
 
 }  // namespace striate::ros

@@ -24,6 +24,7 @@ class CameraModel {
   /// The right eye stands to the left of the left one: topics are swapped.
   [[nodiscard]] bool swapped() const { return baseline_m() < 0.0; }
   /// Fills all of `frame` that the images in it do not say. They may be smaller than calibrated.
+  /// Where the two P matrices differ in principal point or focal length, the right image is moved.
   void fill(StereoFrame& frame) const;
 
  private:

@@ -1,8 +1,11 @@
 #include "striate/platform/ros/image_codec.hpp"
 
+#include <algorithm>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 #include <stdexcept>
+
+#include "striate/platform/interface/pixel_range.hpp"
 
 namespace striate::ros {
 namespace {
@@ -40,20 +43,30 @@ const Encoding& encoding_of(const std::string& name) {
   throw std::runtime_error("images of the encoding '" + name + "' are not understood");
 }
 
-/// The upper byte of each 16-bit grey value.
-cv::Mat upper_bytes(const cv::Mat& words, bool big_endian) {
-  cv::Mat bytes(words.size(), CV_8UC1);
-  const int upper = big_endian ? 0 : 1;
+/// Grey values of 16 bits in this machine's order, little-endian as all that ROS 1 runs on.
+cv::Mat ordered(const cv::Mat& words, bool big_endian) {
+  if (!big_endian) return words;
+  cv::Mat turned(words.size(), CV_16UC1);
   for (int v = 0; v < words.rows; ++v) {
     const std::uint8_t* from = words.ptr(v);
-    for (int u = 0; u < words.cols; ++u) bytes.at<std::uint8_t>(v, u) = from[2 * u + upper];
+    for (int u = 0; u < words.cols; ++u) {
+      turned.at<std::uint16_t>(v, u) =
+          static_cast<std::uint16_t>(from[2 * u] << 8U | from[2 * u + 1]);
+    }
   }
-  return bytes;
+  return turned;
+}
+
+/// With 8 bits a channel. A camera of 12 bits leaves the upper four of 16 empty.
+cv::Mat shown(const cv::Mat& image, int& bits) {
+  if (image.depth() != CV_16U) return image;
+  bits = std::max(bits, bits_used(image));
+  return as_eight_bits(image, most_of_bits(bits));
 }
 
 }  // namespace
 
-cv::Mat3b decode(const RawImage& image) {
+cv::Mat3b decode(const RawImage& image, int& bits) {
   const Encoding& encoding = encoding_of(image.encoding);
   const std::size_t row = static_cast<std::size_t>(image.width) * CV_ELEM_SIZE(encoding.cv_type);
   const bool possible = image.width > 0 && image.height > 0 && image.width <= kMostPixelsASide &&
@@ -63,7 +76,7 @@ cv::Mat3b decode(const RawImage& image) {
   // OpenCV only reads through this view.
   cv::Mat view(static_cast<int>(image.height), static_cast<int>(image.width), encoding.cv_type,
                const_cast<std::uint8_t*>(image.data), image.step);
-  if (encoding.cv_type == CV_16UC1) view = upper_bytes(view, image.big_endian);
+  if (encoding.cv_type == CV_16UC1) view = shown(ordered(view, image.big_endian), bits);
   cv::Mat3b bgr;
   if (encoding.to_bgr == kAsItIs) {
     view.copyTo(bgr);
@@ -73,14 +86,14 @@ cv::Mat3b decode(const RawImage& image) {
   return bgr;
 }
 
-cv::Mat3b decode_compressed(const std::uint8_t* data, std::size_t size) {
+cv::Mat3b decode_compressed(const std::uint8_t* data, std::size_t size, int& bits) {
   cv::Mat image;
   if (size > 0 && size < (std::size_t{1} << 30)) {
     const cv::Mat bytes(1, static_cast<int>(size), CV_8UC1, const_cast<std::uint8_t*>(data));
-    image = cv::imdecode(bytes, cv::IMREAD_COLOR);
+    image = cv::imdecode(bytes, cv::IMREAD_COLOR | cv::IMREAD_ANYDEPTH);
   }
   if (image.empty()) throw std::runtime_error("a compressed image that is no JPEG or PNG");
-  return image;
+  return shown(image, bits);
 }
 
 }  // namespace striate::ros

@@ -30,7 +30,7 @@ TimePoint Inbox::body_time(Stream stream, const ::ros::Time& stamp, TimePoint ar
 
 void Inbox::take(Eye eye, const sensor_msgs::Image& message, TimePoint arrived) {
   try {
-    take_eye(eye, {nanoseconds(message.header.stamp), image_of(message)}, arrived);
+    take_eye(eye, {nanoseconds(message.header.stamp), image_of(message, bits_), bits_}, arrived);
   } catch (const std::exception& error) {
     trouble_ = error.what();
   }
@@ -38,7 +38,7 @@ void Inbox::take(Eye eye, const sensor_msgs::Image& message, TimePoint arrived) 
 
 void Inbox::take(Eye eye, const sensor_msgs::CompressedImage& message, TimePoint arrived) {
   try {
-    take_eye(eye, {nanoseconds(message.header.stamp), image_of(message)}, arrived);
+    take_eye(eye, {nanoseconds(message.header.stamp), image_of(message, bits_), bits_}, arrived);
   } catch (const std::exception& error) {
     trouble_ = error.what();
   }
@@ -59,12 +59,15 @@ void Inbox::take_eye(Eye eye, EyeImage image, TimePoint arrived) {
                                  : "the camera's focal length and baseline are not known yet";
     return;
   }
-  StereoFrame& frame = senses_.stereo;
+  // Once or twice in a session, while it is found out how many bits the camera has.
+  if (pair->left.bits != pair->right.bits) return;
+  StereoFrame frame;
   frame.stamp = stamps_.to_body(pair->left.stamp_ns, arrived);
   frame.left = pair->left.image;
   frame.right = pair->right.image;
   frame.head = head_at(frame.stamp);
   camera_.fill(frame);
+  senses_.stereo = frame;
   images_came_ = arrived;
 }
 

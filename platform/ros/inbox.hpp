@@ -52,6 +52,7 @@ class Inbox {
   StampMap stamps_;
   StereoPairing pairing_;
   CameraModel camera_;
+  int bits_ = 8;  ///< of a pixel: the most that either eye has used so far
   Senses senses_;
   std::deque<HeadAt> heads_;
   std::optional<Pose2> first_pose_;

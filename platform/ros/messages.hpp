@@ -17,9 +17,10 @@
 /// generated headers are C++17: only files of this layer include this one.
 namespace striate::ros {
 
+/// @param bits see decode()
 /// @throws std::runtime_error for an image that cannot be used
-[[nodiscard]] cv::Mat3b image_of(const sensor_msgs::Image& message);
-[[nodiscard]] cv::Mat3b image_of(const sensor_msgs::CompressedImage& message);
+[[nodiscard]] cv::Mat3b image_of(const sensor_msgs::Image& message, int& bits);
+[[nodiscard]] cv::Mat3b image_of(const sensor_msgs::CompressedImage& message, int& bits);
 [[nodiscard]] EyeInfo eye_info_of(const sensor_msgs::CameraInfo& message);
 /// Where a number is none, nothing is returned.
 [[nodiscard]] bool read(const nav_msgs::Odometry& message, Odometry& odometry);

@@ -7,7 +7,7 @@
 
 namespace striate::ros {
 
-cv::Mat3b image_of(const sensor_msgs::Image& message) {
+cv::Mat3b image_of(const sensor_msgs::Image& message, int& bits) {
   RawImage raw;
   raw.width = message.width;
   raw.height = message.height;
@@ -16,11 +16,11 @@ cv::Mat3b image_of(const sensor_msgs::Image& message) {
   raw.encoding = message.encoding;
   raw.data = message.data.data();
   raw.size = message.data.size();
-  return decode(raw);
+  return decode(raw, bits);
 }
 
-cv::Mat3b image_of(const sensor_msgs::CompressedImage& message) {
-  return decode_compressed(message.data.data(), message.data.size());
+cv::Mat3b image_of(const sensor_msgs::CompressedImage& message, int& bits) {
+  return decode_compressed(message.data.data(), message.data.size(), bits);
 }
 
 EyeInfo eye_info_of(const sensor_msgs::CameraInfo& message) {

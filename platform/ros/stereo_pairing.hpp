@@ -13,6 +13,7 @@ namespace striate::ros {
 struct EyeImage {
   std::int64_t stamp_ns = 0;
   cv::Mat3b image;
+  int bits = 8;  ///< of which its 8 were made
 };
 
 struct ImagePair {

@@ -61,6 +61,36 @@ TEST(BagRobot, FindsTopicsByTheirKindAndReadsCompressedImages) {
   EXPECT_EQ(senses.stereo.left(60, 80)[0], 40);
 }
 
+TEST(BagRobot, OfTwoStereoCamerasOneIsChosenAndNoEyeOfTheOther) {
+  const TemporaryFolder folder;
+  WrittenBag front;
+  front.root = "/stereo_a";
+  WrittenBag rear;
+  rear.root = "/stereo_b";
+  rear.image = "/image_raw";
+  rear.paint = [](int, StereoFrame& frame) {
+    frame.left.setTo(cv::Scalar::all(77));
+    frame.baseline_m = 0.3;
+  };
+  write_bag(folder / "both.bag", front);
+  rear.append = true;
+  write_bag(folder / "both.bag", rear);
+  EXPECT_THAT(
+      diagnostic(folder / "both.bag"),
+      testing::AllOf(testing::HasSubstr("both.bag: the bag has several stereo cameras"),
+                     testing::HasSubstr("/stereo_a/left/image_rect_color and "
+                                        "/stereo_a/right/image_rect_color"),
+                     testing::HasSubstr("/stereo_b/left/image_raw and /stereo_b/right/image_raw"),
+                     testing::HasSubstr("--camera")));
+  BagRobot robot(folder / "both.bag", {}, {}, "stereo_b");
+  EXPECT_EQ(robot.settings().left_info, "/stereo_b/left/camera_info");
+  Senses senses;
+  ASSERT_TRUE(robot.sense(senses));
+  EXPECT_EQ(senses.stereo.left(60, 80)[0], 77);
+  EXPECT_NEAR(senses.stereo.baseline_m, 0.3, 1e-9);
+  EXPECT_THROW(BagRobot(folder / "both.bag", {}, {}, "/stereo_c"), UserError);
+}
+
 TEST(BagRobot, TheSettingsGiveACameraWhereTheBagDoesNot) {
   const TemporaryFolder folder;
   WrittenBag bare;

@@ -21,6 +21,16 @@ RawImage raw(const char* encoding, std::uint32_t width, std::uint32_t height, st
   return image;
 }
 
+cv::Mat3b decode(const RawImage& image) {
+  int bits = 8;
+  return decode(image, bits);
+}
+
+cv::Mat3b decode_compressed(const std::uint8_t* data, std::size_t size) {
+  int bits = 8;
+  return ros::decode_compressed(data, size, bits);
+}
+
 TEST(ImageCodec, TurnsColoursToBgrAndSkipsThePaddingOfRows) {
   const std::vector<std::uint8_t> bytes = {1, 2, 3, 99, 4, 5, 6, 99};
   const cv::Mat3b rgb = decode(raw("rgb8", 1, 2, 4, bytes));
@@ -37,6 +47,19 @@ TEST(ImageCodec, ReadsSixteenBitsOfEitherOrder) {
   EXPECT_EQ(decode(image)(0, 1)[0], 0x78);
   image.big_endian = true;
   EXPECT_EQ(decode(image)(0, 1)[0], 0x56);
+}
+
+TEST(ImageCodec, TwelveBitsInSixteenAreNotBlackAndTheirBitsAreRememberedForTheOtherEye) {
+  const std::vector<std::uint8_t> bright = {0xff, 0x0f, 0x00, 0x08};  // 4095 and 2048
+  int bits = 8;
+  EXPECT_EQ(decode(raw("mono16", 2, 1, 4, bright), bits)(0, 0)[0], 255);
+  EXPECT_EQ(bits, 12);
+  const std::vector<std::uint8_t> dim = {0xff, 0x03, 0x00, 0x02};  // 1023 and 512
+  EXPECT_EQ(decode(raw("mono16", 2, 1, 4, dim), bits)(0, 0)[0], 64);
+  EXPECT_EQ(bits, 12) << "a dimmer image has no fewer";
+  std::vector<std::uint8_t> png;
+  cv::imencode(".png", cv::Mat1w(2, 3, std::uint16_t{4095}), png);
+  EXPECT_EQ(ros::decode_compressed(png.data(), png.size(), bits)(1, 2), cv::Vec3b::all(255));
 }
 
 TEST(ImageCodec, KnowsTheFourBayerPatterns) {

@@ -15,6 +15,7 @@ struct WrittenBag {
   int pairs = 5;
   bool compressed = false;
   bool with_info = true;
+  bool append = false;  ///< to a bag that is there
   std::string root = "/stereo";
   std::string image = "/image_rect_color";
   std::function<void(int pair, StereoFrame&)> paint;  ///< over the even grey, where given
@@ -23,7 +24,7 @@ struct WrittenBag {
 /// One image pair every 100 ms, the right stamp 3 ms after the left; odometry each 50 ms on
 /// /odom, from (2, 1) heading left at 0.3 m/s. Pair `i` has left images of grey level 10 i.
 inline void write_bag(const std::string& file, const WrittenBag& given) {
-  rosbag::Bag bag(file, rosbag::bagmode::Write);
+  rosbag::Bag bag(file, given.append ? rosbag::bagmode::Append : rosbag::bagmode::Write);
   const ::ros::Time begin(1700000000, 0);
   StereoFrame frame;
   frame.focal_px = 203.0;
