@@ -27,6 +27,16 @@ cv::Mat3b shrunk(const cv::Mat3b& image) {
   return small;
 }
 
+void keep_inside(const cv::Mat1b& inside, const cv::Size& size,
+                 std::vector<perception::Keypoint>& points) {
+  cv::Mat1b small;
+  cv::resize(inside, small, size, 0.0, 0.0, cv::INTER_NEAREST);
+  std::erase_if(points, [&](const perception::Keypoint& point) {
+    return small(std::clamp(cvRound(point.v_px), 0, size.height - 1),
+                 std::clamp(cvRound(point.u_px), 0, size.width - 1)) == 0;
+  });
+}
+
 perception::ViewKeypoint stored(const perception::Keypoint& point) {
   return {static_cast<float>(point.u_px), static_cast<float>(point.v_px),
           static_cast<float>(point.wavelength_px), static_cast<float>(point.angle_rad)};
@@ -38,7 +48,8 @@ std::vector<perception::Keypoint> keypoints_to_learn(const cv::Mat1b& grey) {
   return perception::OrientedKeypoints(perception::OrientedSettings{})(grey);
 }
 
-memory::StoredView view_of_image(const cv::Mat3b& image, const memory::LongTermSettings& settings) {
+memory::StoredView view_of_image(const cv::Mat3b& image, const memory::LongTermSettings& settings,
+                                 const cv::Mat1b& inside) {
   const cv::Mat3b small = shrunk(image);
   memory::StoredView view;
   view.width_px = small.cols;
@@ -48,6 +59,7 @@ memory::StoredView view_of_image(const cv::Mat3b& image, const memory::LongTermS
   cv::Mat1b grey;
   cv::cvtColor(small, grey, cv::COLOR_BGR2GRAY);
   std::vector<perception::Keypoint> points = keypoints_to_learn(grey);
+  if (!inside.empty()) keep_inside(inside, small.size(), points);
   std::stable_sort(points.begin(), points.end(),
                    [](const perception::Keypoint& a, const perception::Keypoint& b) {
                      return a.response > b.response;

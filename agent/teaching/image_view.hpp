@@ -13,7 +13,9 @@ namespace striate::agent {
 
 /// A view of what an image shows, with the image itself as JPEG. Larger images than 640 px are
 /// shrunk first; of too many keypoints the strongest stay.
+/// @param inside of the image's size: keypoints are taken where it is not 0; empty: everywhere
 [[nodiscard]] memory::StoredView view_of_image(const cv::Mat3b& image,
-                                               const memory::LongTermSettings& settings);
+                                               const memory::LongTermSettings& settings,
+                                               const cv::Mat1b& inside = {});
 
 }  // namespace striate::agent
