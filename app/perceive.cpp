@@ -14,9 +14,12 @@
 #include "striate/app/perceive_files.hpp"
 #include "striate/base/files.hpp"
 #include "striate/base/index_within.hpp"
+#include "striate/base/say.hpp"
 #include "striate/base/user_error.hpp"
 #include "striate/evaluation/images/read_image.hpp"
 #include "striate/perception/perception.hpp"
+#include "striate/perception/stereo/pair_check.hpp"
+#include "striate/platform/interface/align_eyes.hpp"
 #include "striate/platform/interface/plausible.hpp"
 
 namespace striate::app {
@@ -63,15 +66,20 @@ std::string why_unusable(const PerceiveOptions& o, const StereoFrame& given) {
   return why.empty() ? why_implausible(robot) : why;
 }
 
+/// How far the right principal point lies right of the left one, in the files' pixels.
+double doffs_of(const PerceiveOptions& o, const StereoFrame& frame) {
+  if (o.right_centre_u_px) return *o.right_centre_u_px - frame.centre_u_px;
+  return o.doffs_px.value_or(0.0);
+}
+
 StereoFrame read_pair(const PerceiveOptions& o) {
   StereoFrame frame;
-  frame.left = evaluation::read_any_image(o.left);
-  if (!o.right.empty()) frame.right = evaluation::read_any_image(o.right);
-  if (!o.right.empty() && frame.right.size() != frame.left.size()) {
-    throw UserError(fmt::format(
-        "{} is {} x {} but {} is {} x {}: left and right must be a rectified pair of one size",
-        o.left.string(), frame.left.cols, frame.left.rows, o.right.string(), frame.right.cols,
-        frame.right.rows));
+  if (o.right.empty()) {
+    frame.left = evaluation::read_any_image(o.left);
+  } else {
+    const auto [left, right] = evaluation::read_eye_pair(o.left, o.right);
+    frame.left = left;
+    frame.right = right;
   }
   frame.focal_px = o.focal_px;
   frame.baseline_m = o.baseline_m;
@@ -84,6 +92,13 @@ StereoFrame read_pair(const PerceiveOptions& o) {
                     "--centre-v-px, --camera-height-m and --tilt-deg",
                     o.left.string(), why));
   }
+  if (!(std::abs(doffs_of(o, frame)) < frame.left.cols)) {  // also of what is no number
+    throw UserError(
+        fmt::format("the principal points lie {:.6g} px apart, in images {} px wide\n"
+                    "    check --doffs-px, or --right-centre-u-px",
+                    doffs_of(o, frame), frame.left.cols));
+  }
+  align_eyes(frame, {frame.focal_px, frame.centre_u_px + doffs_of(o, frame), frame.centre_v_px});
   return frame;
 }
 
@@ -174,6 +189,21 @@ void find_near_blobs(const PerceiveOptions& o, const StereoFrame& frame, Judged&
   judged.report.threshold_from = o.near_px > 0.0 ? "given" : "the image (Otsu)";
 }
 
+/// The right end of the left image shows what the right eye, whose principal point lies farther
+/// right, has no columns for. The robust mode distrusts what it finds there; the paper's takes the
+/// likest place in the row, however near that puts it.
+void forget_what_one_eye_saw(const PerceiveOptions& o, const StereoFrame& frame, Judged& judged) {
+  cv::Mat1f& map = judged.percept.disparity.disparity_px;
+  const int columns = static_cast<int>(std::ceil(judged.report.doffs_px));
+  if (o.mode != "paper" || map.empty() || columns <= 0) return;
+  map.colRange(std::max(0, map.cols - columns), map.cols).setTo(perception::kNoMatch);
+  if (!o.camera_height_m) return;  // the others' obstacles are looked for behind this
+  perception::ObstacleView view = perception::find_obstacles_as_in_paper(
+      judged.percept.disparity, frame.head, judged.robot, perception::ObstacleSettings{});
+  judged.percept.columns = std::move(view.columns);
+  judged.percept.obstacles = std::move(view.obstacles);
+}
+
 Judged judge(const PerceiveOptions& o, const StereoFrame& frame) {
   constexpr double kTrustedPromise =
       0.66;  // about what a score of 0.3, the driving robot's, has kept
@@ -191,7 +221,10 @@ Judged judge(const PerceiveOptions& o, const StereoFrame& frame) {
   if (o.camera_height_m) judged.robot.camera_height_m = *o.camera_height_m;
   judged.percept = perception::Perception(settings, judged.robot).see(frame);
   judged.report.unit = "m";
+  judged.report.doffs_px =
+      doffs_of(o, frame) * judged.percept.disparity.disparity_px.cols / frame.left.cols;
   judged.report.floor_known = o.camera_height_m.has_value();
+  forget_what_one_eye_saw(o, frame, judged);
   if (frame.right.empty()) {
     judged.report.method = "none: one image only";
   } else if (o.camera_height_m) {
@@ -202,6 +235,24 @@ Judged judge(const PerceiveOptions& o, const StereoFrame& frame) {
     find_near_blobs(o, frame, judged);
   }
   return judged;
+}
+
+/// Stereo makes something of any two pictures: exchanged, identical, not rectified.
+void warn_of_the_pair(const StereoFrame& frame, ObstacleReport& report) {
+  if (frame.right.empty()) return;
+  cv::Mat1b left;
+  cv::Mat1b right;
+  cv::cvtColor(frame.left, left, cv::COLOR_BGR2GRAY);
+  cv::cvtColor(frame.right, right, cv::COLOR_BGR2GRAY);
+  const perception::PairCheck check = perception::check_pair(left, right);
+  const std::string text = perception::fault_text(check, frame.left.cols);
+  if (text.empty()) return;
+  report.warnings.push_back(text);
+  const perception::PairFault fault = perception::fault_of(check);
+  const bool by_options =
+      fault == perception::PairFault::exchanged || fault == perception::PairFault::behind;
+  say(stderr, fmt::format("warning: {}\n    hint: {}{}\n", text, perception::fault_hint(fault),
+                          by_options ? " (--doffs-px or --right-centre-u-px)" : ""));
 }
 
 double reach_of(const Judged& judged) {
@@ -219,10 +270,12 @@ int perceive(const PerceiveOptions& options) {
   check(options);
   make_folder(options.out, "--out");
   const StereoFrame frame = read_pair(options);
-  const Judged judged = judge(options, frame);
+  Judged judged = judge(options, frame);
+  warn_of_the_pair(frame, judged.report);
   const perception::Percept& percept = judged.percept;
   if (!percept.disparity.disparity_px.empty()) {
-    write_pfm(options.out / "disparity.pfm", percept.disparity.disparity_px);
+    write_pfm(options.out / "disparity.pfm",
+              percept.disparity.disparity_px - judged.report.doffs_px);
     write_pfm(options.out / "confidence.pfm", percept.disparity.confidence);
   }
   write_file(options.out / "obstacles.json", obstacles_json(percept, options, judged.report));

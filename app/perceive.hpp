@@ -6,7 +6,8 @@ namespace striate::app {
 
 /// Writes into `options.out`: disparity.pfm and confidence.pfm (float, working size, left frame,
 /// bottom row first, little-endian; +inf is no trusted match), obstacles.json, saliency.png,
-/// keypoints.json and overview.png. Images may be grey or colour, 8 or 16 bit, with alpha.
+/// keypoints.json and overview.png. Images may be grey or colour, 8 to 16 bit, with alpha. The
+/// disparities are those of the images as they are given, whatever their principal points.
 /// Returns 0. Throws UserError for images that cannot be used and for impossible options,
 /// std::runtime_error where `out` cannot be written.
 int perceive(const PerceiveOptions& options);

@@ -94,14 +94,16 @@ std::string obstacles_json(const perception::Percept& percept, const PerceiveOpt
         "43 degrees";
   }
   if (!report.threshold_from.empty()) {
-    json["threshold_px"] = number(report.threshold_px);
+    json["threshold_px"] = number(report.threshold_px - report.doffs_px);
     json["threshold_from"] = report.threshold_from;
   }
   json["floor_known"] = report.floor_known;
+  if (report.doffs_px != 0.0) json["doffs_px"] = number(report.doffs_px);
   json["working_width_px"] = options.width_px;
   json["left"] = options.left.string();
   json["right"] =
       options.right.empty() ? ordered_json(nullptr) : ordered_json(options.right.string());
+  if (!report.warnings.empty()) json["warnings"] = report.warnings;
   json["obstacles"] = ordered_json::array();
   for (const perception::Obstacle& o : percept.obstacles) {
     json["obstacles"].push_back(obstacle_json(o, report.floor_known));

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <opencv2/core/mat.hpp>
 #include <string>
+#include <vector>
 
 #include "striate/app/perceive_options.hpp"
 #include "striate/perception/percept.hpp"
@@ -17,7 +18,11 @@ struct ObstacleReport {
   std::string unit;            ///< of every length: "m" or "baselines"
   std::string threshold_from;  ///< empty where no threshold was used
   double threshold_px = 0.0;
+  /// Px of the working size: how far right of the left one's the right principal point lies. Every
+  /// disparity in the files is one of the images as they were given: Z = f B / (d + doffs).
+  double doffs_px = 0.0;
   bool floor_known = false;
+  std::vector<std::string> warnings;  ///< what speaks against the pair
 };
 
 void write_pfm(const std::filesystem::path& file, const cv::Mat1f& values);

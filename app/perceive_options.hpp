@@ -18,8 +18,10 @@ struct PerceiveOptions {
   double baseline_m = 0.0;            ///< 0: unknown, and no distances are told
   std::optional<double> centre_u_px;  ///< principal point; the image's middle where not given
   std::optional<double> centre_v_px;
-  std::optional<double> camera_height_m;  ///< above the floor; unknown: near blobs are obstacles
-  double tilt_deg = 0.0;                  ///< up positive; counts where the height is known
+  std::optional<double> right_centre_u_px;  ///< of the right image; the left one's where not given
+  std::optional<double> doffs_px;           ///< the same, as Middlebury says it: right less left
+  std::optional<double> camera_height_m;    ///< above the floor; unknown: near blobs are obstacles
+  double tilt_deg = 0.0;                    ///< up positive; counts where the height is known
   double near_px = 0.0;  ///< threshold of near blobs, px at working size; 0: from the image
 };
 

@@ -46,6 +46,16 @@ void add_perceive_command(CLI::App& app, int& exit_code) {
       ->needs(focal);
   command->add_option("--centre-v-px", given.centre_v_px, "principal point; else the middle")
       ->needs(focal);
+  CLI::Option* right_centre =
+      command
+          ->add_option("--right-centre-u-px", given.right_centre_u_px,
+                       "principal point of the right image; else where the left one has it")
+          ->needs(focal);
+  command
+      ->add_option("--doffs-px", given.doffs_px,
+                   "instead: how far right of the left one's it lies, as in Middlebury's calib.txt")
+      ->needs(focal)
+      ->excludes(right_centre);
   CLI::Option* height =
       command
           ->add_option("--camera-height-m", given.camera_height_m,

@@ -13,6 +13,7 @@
 #include <sstream>
 
 #include "striate/base/user_error.hpp"
+#include "tests/reference/scattered_pair.hpp"
 
 namespace striate::app {
 namespace {
@@ -140,6 +141,71 @@ TEST_F(Perceive, AKnownCameraGivesMetres) {
   options_.camera_height_m = 1.0;
   perceive(options_);
   EXPECT_TRUE(read_json("obstacles.json")["floor_known"]);
+}
+
+// What is far away has a negative disparity in these images, as it may have in Middlebury's.
+TEST_F(Perceive, ThePrincipalPointOfTheRightEyeCountsInEveryDistance) {
+  write_pair(24 - 16, 8 - 16);
+  options_.focal_px = 400.0;
+  options_.baseline_m = 0.12;
+  for (const bool as_difference : {true, false}) {
+    options_.doffs_px.reset();
+    options_.right_centre_u_px.reset();
+    (as_difference ? options_.doffs_px : options_.right_centre_u_px) =
+        as_difference ? 16.0 : 159.5 + 16.0;
+    for (const char* setting : {"paper", "robust"}) {
+      options_.mode = setting;
+      perceive(options_);
+      const nlohmann::json json = read_json("obstacles.json");
+      ASSERT_FALSE(json["obstacles"].empty());
+      EXPECT_NEAR(json["obstacles"][0]["distance"].get<double>(), 2.0, 0.15) << setting;
+      EXPECT_NEAR(json["doffs_px"].get<double>(), 8.0, 1e-9);
+    }
+    const cv::Mat1f disparity = read_pfm("disparity.pfm");
+    EXPECT_NEAR(disparity(65, 85), 4.0, 0.5) << "of the images as they are given";
+    EXPECT_NEAR(disparity(12, 60), -4.0, 0.5);
+  }
+  options_.right_centre_u_px = 1e6;
+  EXPECT_THAT(error(), testing::HasSubstr("--doffs-px"));
+}
+
+TEST_F(Perceive, WarnsOfEyesThatAreExchangedIdenticalOrOffTheirRows) {
+  write_pair(24, 8);
+  const reference::EyeImages eyes = reference::scattered_pair(6);
+  const fs::path left = write(eyes.left, "l.png", CV_8UC3);
+  const fs::path right = write(eyes.right, "r.png", CV_8UC3);
+  cv::Mat1b lower;
+  cv::copyMakeBorder(eyes.right.rowRange(0, 470), lower, 10, 0, 0, 0, cv::BORDER_REPLICATE);
+  struct Pair {
+    fs::path left, right;
+    const char* says;
+  };
+  for (const Pair& pair : {Pair{left, right, ""},
+                           {right, left, "exchanged"},
+                           {left, left, "same picture"},
+                           {left, write(lower, "low.png", CV_8UC3), "px lower"}}) {
+    options_.left = pair.left;
+    options_.right = pair.right;
+    testing::internal::CaptureStderr();
+    EXPECT_EQ(perceive(options_), 0);
+    const std::string said = testing::internal::GetCapturedStderr();
+    const nlohmann::json json = read_json("obstacles.json");
+    EXPECT_EQ(json.contains("warnings"), *pair.says != '\0');
+    EXPECT_THAT(said, testing::HasSubstr(pair.says));
+    EXPECT_EQ(said.empty(), *pair.says == '\0') << said;
+  }
+}
+
+TEST_F(Perceive, BothEyesOfTenBitsGetTheSameWhite) {
+  write_pair(24, 8, CV_16UC1);
+  for (const fs::path& file : {options_.left, options_.right}) {
+    cv::Mat1w image = cv::imread(file.string(), cv::IMREAD_UNCHANGED);
+    image /= 64;
+    if (file == options_.right) image /= 4;  // dim: 8 bits of the 10
+    cv::imwrite(file.string(), image);
+  }
+  EXPECT_EQ(perceive(options_), 0);
+  EXPECT_NEAR(read_pfm("disparity.pfm")(65, 85), 12.0, 0.5);
 }
 
 TEST_F(Perceive, TakesGreySixteenBitAndAlpha) {
