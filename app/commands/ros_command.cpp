@@ -30,6 +30,7 @@ struct RosOptions {
 struct BagOptions {
   std::string bag;
   std::string robot;
+  std::string camera;
   std::string out;
   int picture_every = 0;  // cycles between images; 0: none
 };
@@ -64,7 +65,8 @@ int run(RosOptions& options) {
 }
 
 int replay(const BagOptions& options) {
-  return replay_bag({options.bag, options.robot, options.out, options.picture_every});
+  return replay_bag(
+      {options.bag, options.robot, options.camera, options.out, options.picture_every});
 }
 
 #else
@@ -156,6 +158,11 @@ void add_replay(CLI::App& ros, int& exit_code) {
   command->add_option("--robot", options->robot,
                       "settings; the section 'ros' names topics where they are not found");
   add_plugin_option(*command);
+  command
+      ->add_option("--camera", options->camera,
+                   "what the topics of its eyes begin with, where the bag has several stereo "
+                   "cameras")
+      ->type_name("TOPIC");
   CLI::Option* out = command
                          ->add_option("--out", options->out,
                                       "folder for percepts.jsonl, one line an image pair, and "

@@ -15,6 +15,7 @@
 #include "striate/app/commands/run_report.hpp"
 #include "striate/app/interrupt.hpp"
 #include "striate/app/operator_reset.hpp"
+#include "striate/app/pair_watch.hpp"
 #include "striate/app/reports.hpp"
 #include "striate/app/status_line.hpp"
 #include "striate/base/files.hpp"
@@ -44,6 +45,7 @@ constexpr const char* kInspection = "the view of short-term memory";
 constexpr const char* kPictures = "the pictures";
 constexpr const char* kMemory = "the long-term memory";
 constexpr const char* kOnlooker = "the onlooker";
+constexpr const char* kPair = "the look at the eyes";
 constexpr const char* kStatus = "the status line";
 constexpr const char* kResult = "the result";
 
@@ -75,6 +77,10 @@ class Watchers {
     reports_.attempt(kOnlooker, [this] {
       if (options_.each_cycle) options_.each_cycle(mission_);
     });
+    reports_.attempt(kPair, [this] {
+      pair_.take(mission_.cycle().trace().senses.stereo);
+      if (const std::string wrong = pair_.news(); !wrong.empty()) status_.tell(wrong);
+    });
     let_go_on();
     reports_.attempt(kStatus, [this] {
       if (const std::string said = speech_.news(mission_); !said.empty()) status_.tell(said);
@@ -102,6 +108,9 @@ class Watchers {
   /// The mission is over. @return what was recorded, for the summary; "" without a recording
   std::string finish(const agent::RunResult& result) noexcept {
     status_.clear();
+    reports_.finish(kPair, [this] {
+      if (const std::string wrong = pair_.finish(); !wrong.empty()) status_.tell(wrong);
+    });
     agent::RecordingEnd recorded;
     reports_.finish(kRecording, [&] {
       recorded = recorder_.finish();
@@ -129,6 +138,7 @@ class Watchers {
   agent::MissionPictures pictures_;
   agent::MissionMemory memory_;
   agent::LiveMemory live_;
+  PairWatch pair_;
   StatusLine status_;
   Speech speech_;
   OperatorReset reset_;

@@ -2,6 +2,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -14,6 +15,7 @@
 #include "striate/agent/teaching/keep_taught.hpp"
 #include "striate/agent/teaching/live_teaching.hpp"
 #include "striate/agent/teaching/recorded_teaching.hpp"
+#include "striate/agent/teaching/thing_in_picture.hpp"
 #include "striate/app/command_line/found_file.hpp"
 #include "striate/app/command_line/whole_number.hpp"
 #include "striate/app/commands/commands.hpp"
@@ -23,6 +25,7 @@
 #include "striate/base/files.hpp"
 #include "striate/base/user_error.hpp"
 #include "striate/evaluation/images/read_image.hpp"
+#include "striate/evaluation/images/set_files.hpp"
 #include "striate/memory/long_term/memory_writer.hpp"
 #include "striate/memory/long_term/teaching.hpp"
 
@@ -40,15 +43,14 @@ struct TeachOptions {
   std::string from;               ///< a recording to learn from
   std::vector<std::string> when;  ///< times of it; none: where the robot was taught then
   bool yes = false;               ///< nobody is asked
+  std::vector<std::string> crop;  ///< "x,y,w,h": of one picture each, or one of all
+  bool whole = false;             ///< pictures are kept as they are
   bool undo = false;
   bool json = false;
 };
 
 /// Files as they are; of a folder all images, by name.
 std::vector<std::string> image_files(const std::vector<std::string>& given) {
-  // What OpenCV reads here
-  static const std::vector<std::string> kEndings = {".png", ".jpg", ".jpeg", ".bmp",
-                                                    ".ppm", ".pgm", ".tif",  ".tiff"};
   std::vector<std::string> files;
   for (const std::string& one : given) {
     if (!std::filesystem::is_directory(one)) {
@@ -57,15 +59,10 @@ std::vector<std::string> image_files(const std::vector<std::string>& given) {
     }
     std::vector<std::string> inside;
     for (const auto& entry : std::filesystem::directory_iterator(one)) {
-      std::string ending = entry.path().extension();
-      std::transform(ending.begin(), ending.end(), ending.begin(),
-                     [](unsigned char letter) { return std::tolower(letter); });
-      if (std::find(kEndings.begin(), kEndings.end(), ending) != kEndings.end()) {
-        inside.push_back(entry.path());
-      }
+      if (evaluation::is_image(entry.path())) inside.push_back(entry.path());
     }
     if (inside.empty()) {
-      throw UserError(fmt::format("{}: no image in it (png, jpg, bmp, ppm, pgm, tif)", one));
+      throw UserError(fmt::format("{}: no image in it (png, jpg, bmp, ppm, pgm, tif, webp)", one));
     }
     std::sort(inside.begin(), inside.end());
     files.insert(files.end(), inside.begin(), inside.end());
@@ -93,13 +90,75 @@ void print_taught(const TeachOptions& options, const memory::Taught& taught) {
   for (const std::string& remark : taught.remarks) fmt::print("  {}\n", remark);
 }
 
+/// "x,y,w,h" in pixels of the upright picture.
+cv::Rect read_crop(const std::string& text) {
+  cv::Rect crop;
+  int used = 0;
+  const int read = std::sscanf(text.c_str(), "%d,%d,%d,%d%n", &crop.x, &crop.y, &crop.width,
+                               &crop.height, &used);
+  if (read == 4 && static_cast<std::size_t>(used) == text.size() && crop.width > 0 &&
+      crop.height > 0) {
+    return crop;
+  }
+  throw UserError(fmt::format(
+      "--crop {}: four whole numbers in pixels are needed, of the part's left upper corner, its "
+      "width and its height\n    striate teach NAME --image PICTURE --crop 120,80,300,200",
+      text));
+}
+
+/// One for each picture; empty where nothing was said.
+std::vector<cv::Rect> crops_for(const TeachOptions& options, std::size_t pictures) {
+  std::vector<cv::Rect> crops;
+  for (const std::string& text : options.crop) crops.push_back(read_crop(text));
+  if (crops.size() == 1) crops.resize(pictures, crops.front());
+  if (crops.empty() || crops.size() == pictures) return crops;
+  throw UserError(fmt::format("{} --crop for {} pictures: give one for all, or one for each",
+                              crops.size(), pictures));
+}
+
+/// On standard error where the answer is JSON.
+void tell_kept(const TeachOptions& options, const std::string& file, double share,
+               const char* why) {
+  fmt::print(options.json ? stderr : stdout, "{}: kept {:.0f} % of the picture{}\n", file,
+             100.0 * share, why);
+}
+
+memory::StoredView view_of_part(const TeachOptions& options, const std::string& file,
+                                const cv::Mat3b& image, const cv::Rect& part,
+                                const memory::LongTermSettings& settings) {
+  const cv::Rect whole(0, 0, image.cols, image.rows);
+  if ((part & whole) != part) {
+    throw UserError(fmt::format("--crop {},{},{},{}: goes beyond {}, which is {} x {} px", part.x,
+                                part.y, part.width, part.height, file, image.cols, image.rows));
+  }
+  tell_kept(options, file, static_cast<double>(part.area()) / whole.area(), "");
+  return agent::view_of_image(image(part), settings);
+}
+
+memory::StoredView view_of_thing(const TeachOptions& options, const std::string& file,
+                                 const cv::Mat3b& image, const memory::LongTermSettings& settings) {
+  const auto thing =
+      options.whole ? std::optional<agent::ThingInPicture>() : agent::find_thing(image);
+  if (!thing) {
+    tell_kept(options, file, 1.0, "");
+    return agent::view_of_image(image, settings);
+  }
+  tell_kept(options, file, thing->share,
+            ", the thing before its background (--whole keeps all of it, --crop a part)");
+  return agent::view_of_image(image(thing->box), settings, thing->inside);
+}
+
 void teach_images(const TeachOptions& options) {
   memory::check_landmark_name(options.name);
   const memory::LongTermSettings settings =
       agent::load_robot_settings(options.robot).long_term_memory;
+  const std::vector<std::string> files = image_files(options.images);
+  const std::vector<cv::Rect> crops = crops_for(options, files.size());
   std::vector<memory::StoredView> views;
-  for (const std::string& file : image_files(options.images)) {
-    views.push_back(agent::view_of_image(evaluation::read_any_image(file), settings));
+  for (std::size_t k = 0; k < files.size(); ++k) {
+    const cv::Mat3b image = evaluation::read_any_image(files[k]);
+    views.push_back(crops.empty() ? view_of_thing(options, files[k], image, settings)
+                                  : view_of_part(options, files[k], image, crops[k], settings));
   }
   print_taught(options, agent::keep_taught(options.memory, options.name, views, settings));
 }
@@ -198,6 +257,9 @@ int run(const TeachOptions& options) {
     undo(options);
     return 0;
   }
+  if (!options.crop.empty() && options.images.empty()) {
+    throw UserError("--crop says what part of a picture shows the thing: it needs --image");
+  }
   const bool live = !options.task.empty() || !options.live.world.empty();
   if (live && (options.task.empty() || options.live.world.empty())) {
     throw UserError("a robot that is to look at something needs --task and --world");
@@ -233,9 +295,21 @@ void add_teach_command(CLI::App& app, int& exit_code) {
       ->type_name("NAME");
   command
       ->add_option("--image", options->images,
-                   "an image that shows the thing and little else, or a folder of such; "
+                   "an image that shows the thing, or a folder of such; "
                    "several: several sides")
       ->allow_extra_args(false);
+  CLI::Option* crop =
+      command
+          ->add_option("--crop", options->crop,
+                       "the part of the picture that shows the thing: left, upper, width, height "
+                       "in pixels; one for all pictures, or one for each")
+          ->type_name("X,Y,W,H")
+          ->allow_extra_args(false);
+  command
+      ->add_flag("--whole", options->whole,
+                 "keep all of the picture; else a thing that clearly stands out from a patterned "
+                 "background is cut out")
+      ->excludes(crop);
   command->add_option("--task", options->task,
                       "what the robot does to look at the thing ahead of it: a task with 'teach'");
   CLI::Option* world = command->add_option("--world", options->live.world, "where the robot is");

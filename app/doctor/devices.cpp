@@ -7,6 +7,7 @@
 #include <fstream>
 #include <thread>
 
+#include "striate/app/doctor/eyes.hpp"
 #include "striate/base/user_error.hpp"
 #include "striate/platform/pioneer/camera/frame_source.hpp"
 #include "striate/platform/pioneer/camera/rectifier.hpp"
@@ -112,13 +113,25 @@ Finding look_at_video(const std::string& url) {
 }
 
 Finding look_at_calibration(const pioneer::StereoCameraSettings& camera) {
+  const char* anew = "make it anew: striate calibrate FOLDER names the pairs that are wrong";
   try {
     const auto calibration = pioneer::read_calibration(camera.calibration);
     const pioneer::Rectifier rectifier(calibration, camera.width_px);
-    return {Grade::good,
-            camera.calibration,
-            fmt::format("rectification {:.2f} px", calibration.epipolar_px),
-            {}};
+    const std::string what = fmt::format(
+        "errs by {:.2f} px (reprojection {:.2f}, rectification {:.2f})",
+        pioneer::error_px(calibration), calibration.reprojection_px, calibration.epipolar_px);
+    switch (pioneer::exactness_of(calibration)) {
+      case pioneer::Exactness::good:
+        break;
+      case pioneer::Exactness::poor:
+        return {Grade::note, camera.calibration, what + "; distances will be wrong", anew};
+      case pioneer::Exactness::useless:
+        return {Grade::wrong, camera.calibration, what + "; nothing is matched rightly with it",
+                anew};
+      case pioneer::Exactness::unknown:
+        return {Grade::note, camera.calibration, "does not say how exact it is", anew};
+    }
+    return {Grade::good, camera.calibration, what, {}};
   } catch (const UserError& error) {
     return {Grade::wrong, camera.calibration, error.what(), "striate calibrate FOLDER"};
   }
@@ -176,11 +189,15 @@ Findings look_at_places(const pioneer::PioneerSettings& settings) {
   const std::string& camera = places.camera;
   if (camera.rfind("video:", 0) == 0 || camera.rfind("bumblebee:", 0) == 0) {
     findings.push_back(look_at_video(camera));
-    if (!settings.camera.calibration.empty()) {
-      findings.push_back(look_at_calibration(settings.camera));
-    }
   } else if (!camera.empty()) {
     findings.push_back(look_at_line("camera", camera, Answerer::camera));
+  }
+  const bool camera_good = !camera.empty() && findings.back().grade == Grade::good;
+  if (camera_good) {
+    for (Finding& finding : look_at_eyes(settings)) findings.push_back(std::move(finding));
+  }
+  if (!settings.camera.calibration.empty()) {
+    findings.push_back(look_at_calibration(settings.camera));
   }
   return findings;
 }

@@ -11,8 +11,10 @@
 #include "striate/agent/mission.hpp"
 #include "striate/agent/pictures/overview.hpp"
 #include "striate/app/interrupt.hpp"
+#include "striate/app/pair_watch.hpp"
 #include "striate/app/perceive_files.hpp"
 #include "striate/base/files.hpp"
+#include "striate/base/say.hpp"
 #include "striate/platform/ros/bag_robot.hpp"
 
 namespace striate::app {
@@ -62,6 +64,8 @@ class Notes {
     if (trace.senses.stereo.stamp == last_) return;
     last_ = trace.senses.stereo.stamp;
     ++pairs_;
+    eyes_.take(trace.senses.stereo);
+    tell(eyes_.news());
     if (options_.out.empty()) return;
     lines_ << line_of(trace).dump() << '\n';
     if (options_.picture_every > 0 && pairs_ % options_.picture_every == 0) {
@@ -71,13 +75,19 @@ class Notes {
     }
   }
   void finish() {
+    tell(eyes_.finish());
     if (options_.out.empty() || lines_.flush()) return;
     throw std::runtime_error(options_.out + "/percepts.jsonl: cannot be written");
   }
   [[nodiscard]] int pairs() const { return pairs_; }
 
  private:
+  static void tell(const std::string& wrong) {
+    if (!wrong.empty()) say(stderr, wrong + "\n");
+  }
+
   const ReplayBagOptions& options_;
+  PairWatch eyes_;
   std::ofstream lines_;
   TimePoint last_{Duration::min()};
   int pairs_ = 0;
@@ -88,12 +98,13 @@ class Notes {
 int replay_bag(const ReplayBagOptions& options) {
   agent::MissionOptions asked;
   asked.robot = options.robot;
-  const agent::BodySource bag{
-      .wake = [&options](const agent::RobotSettings& settings) -> agent::Body {
-        return {.robot = std::make_unique<ros::BagRobot>(options.bag, settings.ros,
-                                                         agent::simulated_robot(settings)),
-                .place = options.bag};
-      }};
+  ros::RosSettings read;
+  const agent::BodySource bag{.wake = [&](const agent::RobotSettings& settings) -> agent::Body {
+    auto robot = std::make_unique<ros::BagRobot>(options.bag, settings.ros,
+                                                 agent::simulated_robot(settings), options.camera);
+    read = robot->settings();
+    return {.robot = std::move(robot), .place = options.bag};
+  }};
   const Interrupt interrupt(Interrupt::BrokenOutput::ends);
   agent::Mission mission(asked, bag);
   Notes notes(options);
@@ -106,6 +117,7 @@ int replay_bag(const ReplayBagOptions& options) {
   fmt::print("{}: {} image pairs in {:.1f} s, {:.1f} m by odometry, {:.1f} ms a cycle\n",
              options.bag, notes.pairs(), result.duration_s, result.distance_m,
              result.mean_cycle_ms);
+  fmt::print("  eyes {} and {}, odometry {}\n", read.left_image, read.right_image, read.odometry);
   // That a bag ends is no failure.
   return result.outcome == agent::RunOutcome::body_ended ? 0
                                                          : agent::row_of(result.outcome).exit_code;

@@ -3,10 +3,15 @@
 
 #include <filesystem>
 #include <fstream>
+#include <opencv2/imgproc.hpp>
+#include <opencv2/videoio.hpp>
 
 #include "striate/app/doctor/configuration.hpp"
 #include "striate/app/doctor/devices.hpp"
+#include "striate/app/doctor/eyes.hpp"
 #include "striate/app/doctor/machine.hpp"
+#include "striate/platform/pioneer/camera/stereo_calibration.hpp"
+#include "tests/reference/scattered_pair.hpp"
 #include "tests/reference/temporary_folder.hpp"
 
 namespace striate::app {
@@ -75,6 +80,69 @@ TEST(Doctor, TriesThePlacesOfARobotFile) {
     EXPECT_EQ(about(findings, name)->grade, Grade::wrong) << name;
     EXPECT_NE(about(findings, name)->what, "") << name;
   }
+}
+
+TEST(Doctor, JudgesACalibrationByTheErrorThatStandsInIt) {
+  const reference::TemporaryFolder folder;
+  pioneer::PioneerSettings settings;
+  settings.devices = {"tcp://127.0.0.1:1", "", "", "video:/no/such/video"};
+  settings.camera.calibration = folder / "stereo.yaml";
+  pioneer::StereoCalibration calibration;
+  calibration.size_px = {320, 240};
+  calibration.left.matrix =
+      calibration.right.matrix = {400.0, 0.0, 159.5, 0.0, 400.0, 119.5, 0.0, 0.0, 1.0};
+  calibration.translation_m = {-0.12, 0.0, 0.0};
+  for (const auto& [error_px, grade] : {std::pair{0.2, Grade::good},
+                                        {1.5, Grade::note},
+                                        {42.0, Grade::wrong},
+                                        {0.0, Grade::note}}) {
+    calibration.reprojection_px = error_px;
+    pioneer::write_calibration(settings.camera.calibration, calibration);
+    const Findings findings = look_at_places(settings);
+    const Finding* finding = about(findings, "stereo.yaml");
+    ASSERT_NE(finding, nullptr);
+    EXPECT_EQ(finding->grade, grade) << error_px << ": " << finding->what;
+    EXPECT_EQ(finding->mend.empty(), grade == Grade::good);
+  }
+}
+
+cv::Mat3b colour(const cv::Mat1b& grey) {
+  cv::Mat3b image;
+  cv::cvtColor(grey, image, cv::COLOR_GRAY2BGR);
+  return image;
+}
+
+TEST(Doctor, SaysWhenTheEyesOfACameraAreExchangedOrOneIsShownTwice) {
+  const reference::EyeImages eyes = reference::scattered_pair(3);
+  const cv::Mat3b left = colour(eyes.left);
+  const cv::Mat3b right = colour(eyes.right);
+  EXPECT_EQ(look_at_pair_of("eyes", left, right).grade, Grade::good);
+  EXPECT_EQ(look_at_pair_of("eyes", right, left).grade, Grade::wrong);
+  EXPECT_THAT(look_at_pair_of("eyes", right, left).what, testing::HasSubstr("exchanged"));
+  EXPECT_THAT(look_at_pair_of("eyes", left, left).what, testing::HasSubstr("same picture"));
+  const cv::Mat3b plain(120, 160, cv::Vec3b::all(80));
+  EXPECT_EQ(look_at_pair_of("eyes", plain, plain).grade, Grade::note);
+  for (const cv::Mat3b* second : {&left, &right}) {
+    EXPECT_EQ(look_at_pair_of("eyes", left, *second).mend.empty(), second == &right);
+  }
+}
+
+TEST(Doctor, LooksAtTheEyesOfACameraThatGivesPairs) {
+  const reference::TemporaryFolder folder;
+  const reference::EyeImages eyes = reference::scattered_pair(4, 60.0, 6.0, {320, 240});
+  cv::Mat3b both;
+  cv::hconcat(colour(eyes.left), colour(eyes.right), both);
+  {
+    cv::VideoWriter writer(folder / "d.avi", cv::CAP_OPENCV_MJPEG,
+                           cv::VideoWriter::fourcc('M', 'J', 'P', 'G'), 20.0, both.size());
+    for (int i = 0; i < 20; ++i) writer.write(both);
+  }
+  pioneer::PioneerSettings settings;
+  settings.devices = {"tcp://127.0.0.1:1", "", "", "video:" + (folder / "d.avi")};
+  ASSERT_NE(about(look_at_places(settings), "eyes of"), nullptr);
+  EXPECT_EQ(about(look_at_places(settings), "eyes of")->grade, Grade::good);
+  settings.camera.swap = true;
+  EXPECT_EQ(about(look_at_places(settings), "eyes of")->grade, Grade::wrong);
 }
 
 TEST(Doctor, FindsTheShippedConfigurationGoodAndNamesAFileThatIsNot) {
