@@ -34,6 +34,9 @@ constexpr double kOtherColours = 0.83;
 constexpr double kRestCorners = 0.2;
 /// Share of all corners on one side: with more it has a pattern (by hand)
 constexpr double kSideCorners = 0.03;
+/// In all of the picture: with fewer it is plain, and GrabCut takes seconds for plain ones (by
+/// hand)
+constexpr std::size_t kFewestToCut = 30;
 /// Of four: a title under a picture is on one or two, and a thing may hide one (by hand)
 constexpr int kPatternedSides = 3;
 
@@ -102,11 +105,15 @@ bool is_of_other_colours(const cv::Mat3b& image, const cv::Mat1b& piece) {
                          cv::HISTCMP_BHATTACHARYYA) > kOtherColours;
 }
 
-/// Corners all round, as a table has them and the plain rest of a cover has not.
-bool has_patterned_rest(const cv::Mat3b& image, const cv::Mat1b& piece) {
+std::vector<perception::Keypoint> picture_corners(const cv::Mat3b& image) {
   cv::Mat1b grey;
   cv::cvtColor(image, grey, cv::COLOR_BGR2GRAY);
-  const std::vector<perception::Keypoint> points = keypoints_to_learn(grey);
+  return keypoints_to_learn(grey);
+}
+
+/// Corners all round, as a table has them and the plain rest of a cover has not.
+bool has_patterned_rest(const cv::Mat3b& image, const std::vector<perception::Keypoint>& points,
+                        const cv::Mat1b& piece) {
   std::array<int, 4> sides{};
   for (const perception::Keypoint& point : points) {
     const int u = std::clamp(cvRound(point.u_px), 0, image.cols - 1);
@@ -134,12 +141,15 @@ std::optional<ThingInPicture> find_thing(const cv::Mat3b& image) {
   if (std::min(size.width, size.height) < kShortest_px) return std::nullopt;
   cv::Mat3b small;
   cv::resize(image, small, size, 0.0, 0.0, cv::INTER_AREA);
+  const std::vector<perception::Keypoint> corners = picture_corners(small);
+  if (corners.size() < kFewestToCut) return std::nullopt;
   const cv::Mat1b piece = compact_piece(figure_of(small));
   if (piece.empty()) return std::nullopt;
   const double share =
       static_cast<double>(cv::countNonZero(piece)) / static_cast<double>(piece.total());
   if (share < kLeastShare || share > kMostShare) return std::nullopt;
-  if (!is_of_other_colours(small, piece) || !has_patterned_rest(small, piece)) return std::nullopt;
+  if (!is_of_other_colours(small, piece) || !has_patterned_rest(small, corners, piece))
+    return std::nullopt;
   cv::Mat1b whole;
   cv::resize(piece, whole, image.size(), 0.0, 0.0, cv::INTER_NEAREST);
   const cv::Rect box = cv::boundingRect(whole);
