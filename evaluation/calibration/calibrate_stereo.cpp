@@ -254,7 +254,7 @@ CalibrationReport calibrate_stereo(const std::vector<BoardPair>& pairs, const Ch
   std::vector<BoardPair> kept = without_wrong_looks(pairs, board, size_px);
   std::vector<double> errors_px;
   const pioneer::StereoCalibration lenses = lenses_of(kept, board, size_px, errors_px);
-  kept = chosen(kept, consistent_pairs(kept, board, lenses));
+  kept = chosen(kept, consistent_pairs(kept, board, lenses, middle_of(errors_px)));
   check_agreeing(kept.size(), pairs);
   CalibrationReport report = calibrate_together(kept, board, lenses);
   for (std::size_t worst = far_worse(report.pairs); worst < kept.size();

@@ -46,19 +46,23 @@ BoardPose moved(const BoardPose& pose, const cv::Matx33d& turn, const cv::Vec3d&
 /// the image whose corners err by 0.1 px tells the eyes' turn within 0.3 px, and its distance
 /// within 0.1 %; by hand, ten times that.
 constexpr double kAgrees = 0.006;
+/// Times the error of a look: that of the pair that tells and of the one that is told of, each
+/// spread by the way from eye to eye (by hand)
+constexpr double kBlurs = 6.0;
 
 }  // namespace
 
 std::vector<std::size_t> consistent_pairs(const std::vector<BoardPair>& pairs,
                                           const Chessboard& board,
-                                          const pioneer::StereoCalibration& lenses) {
+                                          const pioneer::StereoCalibration& lenses,
+                                          double blur_px) {
   std::vector<BoardPose> left;
   std::vector<BoardPose> right;
   for (const BoardPair& pair : pairs) {
     left.push_back(pose_of(pair.left_px, board, lenses.left));
     right.push_back(pose_of(pair.right_px, board, lenses.right));
   }
-  const double limit_px = kAgrees * lenses.size_px.width;
+  const double limit_px = std::max(kAgrees * lenses.size_px.width, kBlurs * blur_px);
   std::vector<std::size_t> best;
   double best_sum = 0.0;
   for (std::size_t by = 0; by < pairs.size(); ++by) {

@@ -14,10 +14,13 @@ namespace striate::evaluation {
 /// other: each pair alone tells how, from the board's pose in either image, and those that tell the
 /// same are kept.
 /// @param lenses of both eyes, each calibrated alone; their pose to each other is not looked at
+/// @param blur_px how far the corners of a usual look are from where the lens alone puts them: what
+/// is seen badly agrees less well
 /// @return indices of the pairs, in their order: the largest set that agrees
 [[nodiscard]] std::vector<std::size_t> consistent_pairs(const std::vector<BoardPair>& pairs,
                                                         const Chessboard& board,
-                                                        const pioneer::StereoCalibration& lenses);
+                                                        const pioneer::StereoCalibration& lenses,
+                                                        double blur_px);
 
 /// How far the corners in the right image are from where the board in the left image and the
 /// calibration put them: root mean square, px.

@@ -197,19 +197,31 @@ TEST(CalibrateStereo, WhereAllRightImagesCameLateNothingIsMadeOfThem) {
   }
 }
 
-TEST(CalibrateStereo, CornersThatErrEverywhereAreRefusedAndTheWorstPairsNamed) {
+/// Corners of every image, found so badly.
+std::vector<BoardPair> blurred_pairs(double by_px) {
   std::vector<BoardPair> pairs = named_pairs();
   cv::RNG random(5);
   for (BoardPair& pair : pairs) {
-    for (cv::Point2f& corner : pair.right_px) {
-      corner += cv::Point2f(static_cast<float>(random.gaussian(5.0)),
-                            static_cast<float>(random.gaussian(5.0)));
+    for (std::vector<cv::Point2f>* corners : {&pair.left_px, &pair.right_px}) {
+      for (cv::Point2f& corner : *corners) {
+        corner += cv::Point2f(static_cast<float>(random.gaussian(by_px)),
+                              static_cast<float>(random.gaussian(by_px)));
+      }
     }
   }
+  return pairs;
+}
+
+TEST(CalibrateStereo, CornersThatErrByAPixelMakeAPoorOneAndByFiveNone) {
+  const CalibrationReport report = calibrate_stereo(blurred_pairs(1.0), kBoard, kSize);
+  EXPECT_EQ(pioneer::exactness_of(report.calibration), pioneer::Exactness::poor)
+      << pioneer::error_px(report.calibration);
+  EXPECT_THAT(worst_of(report.pairs), testing::ContainsRegex("p[0-9]+ \\([0-9.]+ px\\), p"));
   try {
-    (void)calibrate_stereo(pairs, kBoard, kSize);
+    (void)calibrate_stereo(blurred_pairs(5.0), kBoard, kSize);
     ADD_FAILURE() << "a calibration with which nothing can be matched";
-  } catch (const UserError&) {
+  } catch (const UserError& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("moment"));
   }
 }
 
