@@ -140,12 +140,12 @@ TEST_F(EvalStereo, NamesTheImageThatDoesNotFit) {
   write("p/left.png", reference::texture(kSize, 1));
   write("p/right.png", reference::texture({70, 60}, 1));
   write("p/disparity.pfm", pfm(kSize, 3.0F, false));
-  EXPECT_THAT(diagnostic_of_reading(), HasSubstr("right.png is 70x60"));
+  EXPECT_THAT(diagnostic_of_reading(), HasSubstr("right.png is 70 x 60"));
   write("p/right.png", reference::texture(kSize, 1));
   write("p/disparity.pfm", pfm({10, 10}, 3.0F, false));
   EXPECT_THAT(diagnostic_of_reading(), HasSubstr("disparity.pfm is 10x10"));
   write("p/right.png", std::string("no image"));
-  EXPECT_THAT(diagnostic_of_reading(), HasSubstr("right.png: cannot be read as an image"));
+  EXPECT_THAT(diagnostic_of_reading(), HasSubstr("right.png: is no image that can be read"));
 }
 
 TEST_F(EvalStereo, RefusesABrokenPfm) {
