@@ -2,7 +2,7 @@
 # of a user's include path is claimed but `striate/`. In the build tree that is a folder of links.
 set(STRIATE_INCLUDE_DIR ${PROJECT_BINARY_DIR}/include)
 file(MAKE_DIRECTORY ${STRIATE_INCLUDE_DIR}/striate)
-foreach(folder agent app base behaviours config evaluation memory perception platform tasks)
+foreach(folder agent app base behaviours config evaluation memory perception platform tasks viewer)
   file(CREATE_LINK ${PROJECT_SOURCE_DIR}/${folder} ${STRIATE_INCLUDE_DIR}/striate/${folder} SYMBOLIC)
 endforeach()
 
