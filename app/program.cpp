@@ -79,6 +79,7 @@ int run(int argc, char** argv) {
   int exit_code = 0;
   add_run_command(app, exit_code);
   add_replay_command(app, exit_code);
+  add_export_command(app, exit_code);
   add_recall_command(app, exit_code);
   add_trial_command(app, exit_code);
   add_perceive_command(app, exit_code);

@@ -68,10 +68,10 @@ replay::RecordedSetup record_setup(const tasks::Task& task, const tasks::GivenVa
 std::vector<std::uint8_t> copy_of_memory(const std::string& memory) {
   if (!fs::exists(memory)) return {};
   if (fs::file_size(memory) > kMostMemory_bytes) {
-    throw UserError(
-        fmt::format("{}: is too large to go into a recording, which takes 128 MB at most\n"
-                    "  hint: run without --record, or: striate memory {} prune",
-                    memory, shell_word(memory)));
+    throw UserError(fmt::format(
+        "{}: is too large to go into a recording or an MCAP file, which take 128 MB at most\n"
+        "  hint: run without --record and --mcap, or: striate memory {} prune",
+        memory, shell_word(memory)));
   }
   const ScratchFolder scratch;
   const std::string copy = scratch / "memory.db";

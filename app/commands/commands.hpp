@@ -8,6 +8,7 @@ namespace striate::app {
 
 void add_run_command(CLI::App& app, int& exit_code);
 void add_replay_command(CLI::App& app, int& exit_code);
+void add_export_command(CLI::App& app, int& exit_code);
 void add_recall_command(CLI::App& app, int& exit_code);
 void add_trial_command(CLI::App& app, int& exit_code);
 void add_perceive_command(CLI::App& app, int& exit_code);

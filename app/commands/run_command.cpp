@@ -67,6 +67,7 @@ void add_run_command(CLI::App& app, int& exit_code) {
                       "the long-term memory that keeps what happens; made where there is none");
   command->add_option("--record", options->run.record,
                       "file for all that is felt and decided, for 'striate replay' and 'recall'");
+  add_mcap_options(*command, options->run.mcap);
   command->add_option("--inspect", options->run.inspect,
                       "file that shows once a second what short-term memory holds, for "
                       "'striate recall'");

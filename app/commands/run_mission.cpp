@@ -20,6 +20,7 @@
 #include "striate/app/status_line.hpp"
 #include "striate/base/files.hpp"
 #include "striate/base/say.hpp"
+#include "striate/viewer/recording/mission_mcap.hpp"
 
 namespace striate::app {
 namespace {
@@ -41,6 +42,7 @@ std::string session_title(const agent::Mission& mission, const agent::MissionOpt
 
 /// What may fail without the mission noticing, as it is called in the message.
 constexpr const char* kRecording = "the recording";
+constexpr const char* kMcap = "the MCAP file";
 constexpr const char* kInspection = "the view of short-term memory";
 constexpr const char* kPictures = "the pictures";
 constexpr const char* kMemory = "the long-term memory";
@@ -49,23 +51,40 @@ constexpr const char* kPair = "the look at the eyes";
 constexpr const char* kStatus = "the status line";
 constexpr const char* kResult = "the result";
 
+/// What is written down of a mission. Made before it, since both copy the memory as it is then.
+struct MissionFiles {
+  explicit MissionFiles(const RunOptions& options)
+      : recorder(options.record, options.memory),
+        mcap(options.mcap.file, compression_of(options.mcap), options.memory) {}
+  agent::MissionRecorder recorder;
+  viewer::MissionMcap mcap;
+};
+
+/// How much of it was kept, for the summary; "" without a file.
+struct Kept {
+  std::string recording;
+  std::string mcap;
+};
+
 /// All who watch a mission from outside.
 class Watchers {
  public:
-  Watchers(const RunOptions& options, agent::Mission& mission, agent::MissionRecorder& recorder)
+  Watchers(const RunOptions& options, agent::Mission& mission, MissionFiles& files)
       : options_(options),
         mission_(mission),
-        recorder_(recorder),
+        files_(files),
         pictures_(options.pictures, options.picture_every),
         memory_(options.memory, options.mission.robot, session_title(mission, options.mission)),
         live_(options.inspect),
         status_(options.quiet || options.json) {
-    recorder_.begin(mission);
+    files_.recorder.begin(mission);
+    files_.mcap.begin(mission);
   }
 
   /// After each cycle, before anything ends the task from outside.
   void take() noexcept {
-    reports_.attempt(kRecording, [this] { recorder_.take(mission_); });
+    reports_.attempt(kRecording, [this] { files_.recorder.take(mission_); });
+    reports_.attempt(kMcap, [this] { files_.mcap.take(mission_); });
     reports_.attempt(kInspection, [this] {
       live_.take(mission_.cycle(), mission_.executive(), mission_.cycles());
     });
@@ -105,23 +124,22 @@ class Watchers {
     reports_.attempt(kStatus, [this] { status_.tell("the robot goes on"); });
   }
 
-  /// The mission is over. @return what was recorded, for the summary; "" without a recording
-  std::string finish(const agent::RunResult& result) noexcept {
+  /// The mission is over. @return what was kept of it, for the summary
+  Kept finish(const agent::RunResult& result) noexcept {
     status_.clear();
     reports_.finish(kPair, [this] {
       if (const std::string wrong = pair_.finish(); !wrong.empty()) status_.tell(wrong);
     });
-    agent::RecordingEnd recorded;
-    reports_.finish(kRecording, [&] {
-      recorded = recorder_.finish();
-      if (recorded.failed) return reports_.note(kRecording, recorded.lost.c_str());
-      if (!recorded.lost.empty()) say(stderr, recorded.lost + "\n");
-    });
+    Kept kept;
+    finish_file(
+        kRecording, [this] { return files_.recorder.finish(); }, kept.recording);
+    finish_file(
+        kMcap, [this] { return files_.mcap.finish(); }, kept.mcap);
     reports_.finish(kInspection, [&] { reports_.note(kInspection, live_.finish().c_str()); });
     reports_.finish(
         kMemory, [&] { reports_.note(kMemory, memory_.finish(mission_.cycle(), result).c_str()); });
     reports_.finish(kPictures, [&] { pictures_.finish(mission_, result); });
-    return std::move(recorded.kept);
+    return kept;
   }
 
   [[nodiscard]] Reports& reports() { return reports_; }
@@ -132,9 +150,19 @@ class Watchers {
   }
 
  private:
+  template <class Finish>
+  void finish_file(const char* what, Finish finish, std::string& kept) noexcept {
+    reports_.finish(what, [&] {
+      agent::RecordingEnd end = finish();
+      kept = std::move(end.kept);
+      if (end.failed) return reports_.note(what, end.lost.c_str());
+      if (!end.lost.empty()) say(stderr, end.lost + "\n");
+    });
+  }
+
   const RunOptions& options_;
   agent::Mission& mission_;
-  agent::MissionRecorder& recorder_;
+  MissionFiles& files_;
   agent::MissionPictures pictures_;
   agent::MissionMemory memory_;
   agent::LiveMemory live_;
@@ -153,13 +181,14 @@ bool asked_to_end(agent::Mission& mission) {
 }
 
 std::string report_text(const RunOptions& options, const agent::RunResult& result,
-                        const std::string& json, const std::string& recorded) {
+                        const std::string& json, const Kept& kept) {
   if (options.json) return json;
   if (options.quiet) return {};
   std::string text = summary_text(result);
   if (!options.result.empty()) text += fmt::format("  record            {}\n", options.result);
   if (!options.pictures.empty()) text += fmt::format("  images            {}\n", options.pictures);
-  if (!recorded.empty()) text += fmt::format("  recording         {}\n", recorded);
+  if (!kept.recording.empty()) text += fmt::format("  recording         {}\n", kept.recording);
+  if (!kept.mcap.empty()) text += fmt::format("  MCAP file         {}\n", kept.mcap);
   return text;
 }
 
@@ -167,7 +196,7 @@ std::string report_text(const RunOptions& options, const agent::RunResult& resul
 
 void check_outputs(const RunOptions& options) {
   for (const std::string& file :
-       {options.result, options.record, options.inspect, options.memory}) {
+       {options.result, options.record, options.mcap.file, options.inspect, options.memory}) {
     check_writable(file);
   }
   make_folder(options.pictures);
@@ -177,11 +206,10 @@ int run_mission(const RunOptions& options, const agent::BodySource& body) {
   check_outputs(options);
   const agent::MissionOptions asked = mission_options(options);
   const Interrupt interrupt;
-  agent::MissionRecorder recorder(options.record,
-                                  options.memory);  // copies the memory as it is now
+  MissionFiles files(options);
   agent::Mission mission(asked, body);
   if (!options.quiet) say(stderr, mission.notices());
-  Watchers watchers(options, mission, recorder);
+  Watchers watchers(options, mission, files);
   if (options.at_begin) options.at_begin(mission);
   const agent::RunResult result = mission.run([&](const agent::Mission&) {
     watchers.take();
@@ -193,8 +221,8 @@ int run_mission(const RunOptions& options, const agent::BodySource& body) {
     json = agent::to_json(result).dump(2) + "\n";
     if (!options.result.empty()) write_file(options.result, json);
   });
-  const std::string recorded = watchers.finish(result);
-  say(stdout, report_text(options, result, json, recorded));  // main() tells whether it was taken
+  const Kept kept = watchers.finish(result);
+  say(stdout, report_text(options, result, json, kept));  // main() tells whether it was taken
   const bool all_kept = watchers.tell_losses();
   const int exit_code = agent::row_of(result.outcome).exit_code;
   return exit_code == 0 && !all_kept ? 1 : exit_code;

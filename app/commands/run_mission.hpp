@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "striate/agent/mission.hpp"
+#include "striate/app/commands/mcap_options.hpp"
 
 namespace striate::app {
 
@@ -13,8 +14,9 @@ struct RunOptions {
   agent::MissionOptions mission;
   std::vector<std::string> given;  ///< "way=20 m"
   bool no_emergency = false;
-  std::string memory;     ///< long-term memory; empty: none
-  std::string record;     ///< recording; empty: none
+  std::string memory;  ///< long-term memory; empty: none
+  std::string record;  ///< recording; empty: none
+  McapOptions mcap;
   std::string inspect;    ///< short-term memory once a second; empty: none
   std::string pictures;   ///< folder for images of the run; empty: none
   int picture_every = 0;  ///< an overview image every so many cycles; 0: none

@@ -1,0 +1,171 @@
+#include "striate/viewer/channels/cycle_facts.hpp"
+
+#include <cmath>
+
+#include "striate/agent/recall/memory_state.hpp"
+#include "striate/memory/long_term/records.hpp"
+
+namespace striate::viewer {
+namespace {
+
+/// As `striate run --inspect` renews its view
+constexpr Duration kSlowEvery = std::chrono::seconds(1);
+/// By hand: half the window is driven in 10 s; the map itself changes only where the window of
+/// short-term memory moves on.
+constexpr Duration kGlobalEvery = std::chrono::seconds(5);
+/// Cells of the map that are shown, each way: 25.6 m, twice the window of short-term memory
+constexpr int kGlobalSide = 256;
+
+void take_local(const memory::LocalGrid& grid, FloorGrid& floor) {
+  constexpr int kSide = memory::LocalGrid::kSide;
+  const memory::GridCell first = grid.first();
+  floor.cell_m = memory::LocalGrid::kCell_m;
+  floor.corner = {first.x * floor.cell_m, first.y * floor.cell_m};
+  floor.columns = floor.rows = kSide;
+  floor.percent.resize(static_cast<std::size_t>(kSide) * kSide);
+  std::size_t k = 0;
+  for (int y = 0; y < kSide; ++y) {
+    for (int x = 0; x < kSide; ++x, ++k) {
+      const memory::CellState state = grid.state({first.x + x, first.y + y});
+      floor.percent[k] = state == memory::CellState::unknown ? std::int8_t{-1}
+                         : state == memory::CellState::free  ? std::int8_t{0}
+                                                             : std::int8_t{100};
+    }
+  }
+}
+
+void take_global(const memory::Localisation& place, FloorGrid& floor) {
+  const double cell_m = memory::kObstacleCell_m;
+  const Pose2 pose = place.estimate().pose();
+  const auto first = [cell_m](double at_m) {
+    return (std::floor(at_m / cell_m) - kGlobalSide / 2) * cell_m;
+  };
+  floor.cell_m = cell_m;
+  floor.corner = {first(pose.x_m), first(pose.y_m)};
+  floor.columns = floor.rows = kGlobalSide;
+  floor.percent.resize(static_cast<std::size_t>(kGlobalSide) * kGlobalSide);
+  std::size_t k = 0;
+  for (int y = 0; y < kGlobalSide; ++y) {
+    for (int x = 0; x < kGlobalSide; ++x, ++k) {
+      const float log_odds = place.obstacles().log_odds(
+          {floor.corner.x_m + (x + 0.5) * cell_m, floor.corner.y_m + (y + 0.5) * cell_m});
+      floor.percent[k] =
+          log_odds == 0.0F
+              ? std::int8_t{-1}
+              : static_cast<std::int8_t>(std::lround(100.0F / (1.0F + std::exp(-log_odds))));
+    }
+  }
+}
+
+void take_routes(const memory::Localisation& place, SlowFacts& slow) {
+  slow.routes.clear();
+  if (!place.located()) return;
+  for (const memory::Route& route : place.routes().all()) {
+    const auto from = place.estimate().place(route.from);
+    const auto to = place.estimate().place(route.to);
+    if (from && to) slow.routes.push_back({{from->x_m, from->y_m}, {to->x_m, to->y_m}});
+  }
+}
+
+void take_slow(const memory::ShortTermMemory& memory, SlowFacts& slow) {
+  take_local(memory.map(), slow.local);
+  slow.trajectory.clear();
+  for (std::size_t k = 0; k < memory.trajectory().count(); ++k) {
+    slow.trajectory.push_back(memory.trajectory().at(k));
+  }
+  slow.landmarks.clear();
+  for (const memory::LandmarkInMind& one : memory.landmarks().all()) {
+    if (one.landmark == 0 || !one.place_known) continue;
+    slow.landmarks.push_back(
+        {std::string(one.name.view()), one.place, one.place_sigma_m, one.sightings > 0});
+  }
+  take_routes(memory.place(), slow);
+  slow.light_level = memory.light_level();
+  slow.noise_level = memory.noise_level();
+  slow.seen_share = memory.seen_share();
+}
+
+void take_map(const memory::Localisation& place, CycleFacts& facts) {
+  facts.on_map.reset();
+  if (!place.located()) return;
+  facts.on_map = {place.estimate().pose(), place.estimate().pose_covariance(),
+                  place.estimate().from_odometry()};
+}
+
+void take_decision(const agent::CycleTrace& trace, const tasks::Executive& executive,
+                   CycleFacts& facts) {
+  facts.refused = trace.refused;
+  facts.wish = trace.wish;
+  facts.driver = trace.driver;
+  facts.sent = trace.sent;
+  facts.limited_by = trace.limited_by;
+  facts.doing = executive.current_action();
+  facts.state = executive.state();
+  facts.reason = facts.state == tasks::MissionState::running ? std::string() : executive.reason();
+  facts.recognised.clear();
+  for (const memory::LandmarkSighting& one : trace.sightings) {
+    facts.recognised.emplace_back(one.name);
+  }
+  facts.lessons.clear();
+  for (const memory::LandmarkLesson& one : trace.lessons) {
+    facts.lessons.push_back(
+        {std::string(one.name), one.kind == memory::LandmarkLesson::Kind::recognised});
+  }
+}
+
+}  // namespace
+
+bool FactsTaker::due(TimePoint now, std::optional<TimePoint>& last, Duration every) {
+  if (last && now - *last < every) return false;
+  last = now;
+  return true;
+}
+
+/// Images are copied: body and perception may use their own again.
+void FactsTaker::take_vision(const agent::CycleTrace& trace, CycleFacts& facts) {
+  const StereoFrame& frame = trace.senses.stereo;
+  facts.new_image = !frame.left.empty() && image_ != frame.stamp;
+  cv::Mat3b left = facts.senses.stereo.left;
+  cv::Mat3b right = facts.senses.stereo.right;
+  if (facts.new_image) {
+    image_ = frame.stamp;
+    frame.left.copyTo(left);
+    frame.right.copyTo(right);
+  }
+  facts.senses = trace.senses;
+  facts.senses.stereo.left = left;
+  facts.senses.stereo.right = right;
+
+  const perception::Percept& percept = trace.percept;
+  facts.new_percept = percept.valid && percept_ != percept.stamp;
+  if (!facts.new_percept) return;
+  percept_ = facts.percept_stamp = percept.stamp;
+  percept.disparity.disparity_px.copyTo(facts.disparity.disparity_px);
+  facts.disparity.focal_px = percept.disparity.focal_px;
+  facts.disparity.baseline_m = percept.disparity.baseline_m;
+  percept.saliency.salience.copyTo(facts.salience);
+  facts.regions = percept.saliency.regions;
+  facts.obstacles = percept.obstacles;
+  facts.moving = percept.moving;
+}
+
+void FactsTaker::take(const agent::CognitiveCycle& cycle, const tasks::Executive& executive,
+                      std::uint64_t number, CycleFacts& facts) {
+  const agent::CycleTrace& trace = cycle.trace();
+  const memory::ShortTermMemory& memory = cycle.memory();
+  facts.number = number;
+  take_vision(trace, facts);
+  take_decision(trace, executive, facts);
+  facts.image_age_s = memory.image_age_s();
+  take_map(memory.place(), facts);
+  const TimePoint now = trace.senses.now;
+  facts.slow_is_new = due(now, slow_, kSlowEvery);
+  if (facts.slow_is_new) {
+    take_slow(memory, facts.slow);
+    facts.slow.short_term = agent::memory_state(cycle, executive, number);
+  }
+  facts.new_global = facts.on_map && due(now, global_, kGlobalEvery);
+  if (facts.new_global) take_global(memory.place(), facts.global);
+}
+
+}  // namespace striate::viewer
