@@ -1,13 +1,17 @@
 #!/usr/bin/env bash
-# Installs the Debian packages of packages.txt that are missing, with --ros those of packages_ros.txt and
-# with --arm64 those of packages_arm64.txt, too; asks for nothing where none is.
+# Installs the Debian packages of packages.txt that are missing, with --ros those of packages_ros.txt, with
+# --arm64 those of packages_arm64.txt and with --browser those of packages_browser.txt, too; asks for nothing
+# where none is.
 set -euo pipefail
 folder="$(dirname "${BASH_SOURCE[0]}")"
 lists=("$folder/packages.txt")
 for option in "$@"; do
   case "$option" in
+    --browser) # Node.js of another source brings npm along, and Debian's does not go with it
+      command -v node >/dev/null && command -v npm >/dev/null && continue
+      lists+=("$folder/packages_browser.txt") ;;
     --ros | --arm64) lists+=("$folder/packages_${option#--}.txt") ;;
-    *) echo "usage: install_packages.sh [--ros] [--arm64]" >&2; exit 2 ;;
+    *) echo "usage: install_packages.sh [--ros] [--arm64] [--browser]" >&2; exit 2 ;;
   esac
 done
 

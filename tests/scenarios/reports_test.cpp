@@ -64,11 +64,13 @@ TEST(Reports, FilesThatReachTheirLimitEndNoMissionAndAreSaidOnceEach) {
   Ended ended;
   const std::string words = "ulimit -f 64; " + std::string(kRun) +
                             "--quiet --result $r --record $f/r.rec --pictures $f/p "
-                            "--picture-every 5 --inspect $f/now.json";
+                            "--picture-every 5 --inspect $f/now.json --mcap $f/r.mcap";
   expect_success(result_of(words, ended), words);
   EXPECT_EQ(ended.exit_code, 1);
   EXPECT_THAT(ended.err, HasSubstr("the recording: "));
   EXPECT_THAT(ended.err, HasSubstr("the pictures: "));
+  EXPECT_THAT(ended.err, HasSubstr("the MCAP file: "));
+  EXPECT_THAT(ended.err, HasSubstr("r.mcap: "));
 }
 
 TEST(Reports, AFolderThatIsGoneEndsNoMission) {
