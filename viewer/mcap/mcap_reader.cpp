@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <fstream>
 #include <string_view>
 #include <utility>
@@ -16,19 +15,6 @@
 namespace striate::viewer::mcap {
 namespace {
 
-std::unique_ptr<std::istream> open_mcap(const std::string& file) {
-  std::error_code code;
-  std::unique_ptr<std::ifstream> stream;
-  // A pipe may never say anything, and a device never end.
-  if (std::filesystem::is_regular_file(file, code)) {
-    stream = std::make_unique<std::ifstream>(file, std::ios::binary);
-  }
-  if (!stream || !*stream) {
-    throw UserError(fmt::format("{}: cannot be read\n    is the path right?", file));
-  }
-  return stream;
-}
-
 /// What is left of some content behind what a reader has taken from it.
 ByteView rest_of(ByteView content, const ByteReader& reader) {
   return content.subspan(content.size() - reader.left());
@@ -36,80 +22,26 @@ ByteView rest_of(ByteView content, const ByteReader& reader) {
 
 }  // namespace
 
-Reader::Reader(const std::string& file) : Reader(open_mcap(file), file) {}
+Reader::Reader(const std::string& file) : records_(file) {
+  read_head();
+}
 
 Reader::Reader(std::unique_ptr<std::istream> stream, std::string name)
-    : stream_(std::move(stream)), name_(std::move(name)) {
-  stream_->seekg(0, std::ios::end);
-  size_ = static_cast<std::uint64_t>(std::max<std::streamoff>(0, stream_->tellg()));
+    : records_(std::move(stream), std::move(name)) {
   read_head();
 }
 
 void Reader::read_head() {
-  const auto begins_with_magic = [this] {
-    return record_.size() == kMagic.size() &&
-           std::equal(kMagic.begin(), kMagic.end(), record_.begin());
-  };
-  read_bytes(std::min<std::uint64_t>(size_, kMagic.size()));
-  if (!begins_with_magic()) {
-    throw UserError(fmt::format("{}: is no MCAP file: it does not begin as one", name_));
-  }
-  if (size_ >= 2 * kMagic.size()) {
-    at_ = size_ - kMagic.size();
-    read_bytes(kMagic.size());
-    closed_ = begins_with_magic();
-    if (closed_) size_ -= kMagic.size();
-  }
-  at_ = kMagic.size();
-  data_crc_ = crc32(kMagic);
-  Record head;
-  if (!read_record(head)) damaged("it ends within its head");
-  if (head.kind != Kind::header) damaged("it does not begin with its header");
   try {
+    Record head;
+    if (!records_.next(head)) throw BadBytes("it ends within its head");
+    if (head.kind != Kind::header) throw BadBytes("it does not begin with its header");
     ByteReader reader(head.content);
     profile_ = reader.take_text();
     library_ = reader.take_text();
   } catch (const BadBytes& error) {
     damaged(error.what());
   }
-}
-
-/// Into `record_`, from `at_` on. There are as many: the size of the file is known.
-void Reader::read_bytes(std::uint64_t count) {
-  record_.resize(count);
-  stream_->clear();
-  stream_->seekg(static_cast<std::streamoff>(at_));
-  stream_->read(reinterpret_cast<char*>(record_.data()), static_cast<std::streamsize>(count));
-  if (static_cast<std::uint64_t>(stream_->gcount()) != count) {
-    throw UserError(fmt::format("{}: cannot be read at byte {}", name_, at_));
-  }
-}
-
-/// False where the file is cut off. In one that ends as a whole one does, that is damage.
-bool Reader::read_record(Record& record) {
-  record_at_ = at_;
-  const auto is_cut_off = [this] {
-    if (closed_) damaged("a record is longer than the file");
-    return false;
-  };
-  if (size_ - at_ < kRecordHead_bytes) return is_cut_off();
-  read_bytes(kRecordHead_bytes);
-  const Bytes head = record_;
-  ByteReader reader(head);
-  record.kind = static_cast<Kind>(reader.u8());
-  const auto length = reader.take<std::uint64_t>();
-  if (length > size_ - at_ - kRecordHead_bytes) return is_cut_off();
-  if (length > kMostRecord_bytes) damaged("a record is longer than any that is read (256 MB)");
-  at_ += kRecordHead_bytes;
-  read_bytes(length);
-  at_ += length;
-  record.content = record_;
-  if (part_ == Part::data && record.kind != Kind::data_end) {
-    data_crc_ = crc32(record_, crc32(head, data_crc_));
-  } else if (part_ == Part::summary && record.kind != Kind::footer) {
-    summary_crc_ = crc32(record_, crc32(head, summary_crc_));
-  }
-  return true;
 }
 
 bool Reader::next(Message& message) {
@@ -120,7 +52,7 @@ bool Reader::next(Message& message) {
         continue;
       }
       Record record;
-      if (!read_record(record)) {
+      if (!records_.next(record)) {
         ending_ = Ending::cut_off;
       } else if (part_ == Part::summary) {
         take_summary(record);
@@ -174,15 +106,9 @@ bool Reader::take_data(const Record& record, Message& message) {
       ++counted_.attachments;
       return false;
     }
-    case Kind::metadata: {
-      definitions_bytes_ += record.content.size();
-      if (definitions_bytes_ > kMostDefinitions_bytes) throw BadBytes("there is too much metadata");
-      ByteReader reader(record.content);
-      const std::string name = reader.take_text();
-      metadata_[name] = take_text_map(reader);
-      ++counted_.metadata;
+    case Kind::metadata:
+      take_metadata(record.content);
       return false;
-    }
     case Kind::data_end:
       take_data_end(record.content);
       return false;
@@ -199,8 +125,7 @@ void Reader::take_definition(const Record& record) {
     if (!is_new && place->second != found) {
       throw BadBytes(fmt::format("{} {} is defined twice, differently", what, found.id));
     }
-    if (is_new) definitions_bytes_ += record.content.size();
-    if (definitions_bytes_ > kMostDefinitions_bytes) throw BadBytes("there are too many schemas");
+    if (is_new) count_definitions(record.content.size());
     return is_new;
   };
   if (record.kind == Kind::schema) {
@@ -212,6 +137,22 @@ void Reader::take_definition(const Record& record) {
     throw BadBytes(fmt::format("channel {} has a schema that is not defined", channel.id));
   }
   if (know(channels_, std::move(channel), "channel")) ++counted_.channels;
+}
+
+void Reader::take_metadata(ByteView content) {
+  count_definitions(content.size());
+  ByteReader reader(content);
+  const std::string name = reader.take_text();
+  metadata_[name] = take_text_map(reader);
+  ++counted_.metadata;
+}
+
+/// What is kept to the end of the file stays within bounds, whatever its chunks promise.
+void Reader::count_definitions(std::size_t bytes) {
+  definitions_bytes_ += bytes;
+  if (definitions_bytes_ > kMostDefinitions_bytes) {
+    throw BadBytes("its schemas, channels and metadata are more than is read (64 MB)");
+  }
 }
 
 void Reader::take_message(ByteView content, Message& message) {
@@ -260,7 +201,7 @@ AttachmentPlace Reader::take_attachment(ByteView content, ByteView& data) const 
   place.name = reader.take_text();
   place.media_type = reader.take_text();
   place.size = reader.take<std::uint64_t>();
-  place.at = record_at_;
+  place.at = records_.at();
   if (reader.left() < 4 || place.size != reader.left() - 4) {
     throw BadBytes("an attachment has not the size that was promised");
   }
@@ -273,28 +214,25 @@ AttachmentPlace Reader::take_attachment(ByteView content, ByteView& data) const 
 }
 
 Bytes Reader::read(const AttachmentPlace& attachment) {
-  const std::uint64_t behind = std::exchange(at_, attachment.at);
-  const std::uint32_t crc = data_crc_;
-  const std::uint32_t summary_crc = summary_crc_;
   Record record;
   ByteView data;
   try {
-    if (!read_record(record) || record.kind != Kind::attachment) damaged("no attachment is there");
+    if (!records_.read_at(attachment.at, record) || record.kind != Kind::attachment) {
+      throw BadBytes("no attachment is there");
+    }
     (void)take_attachment(record.content, data);
   } catch (const BadBytes& error) {
     damaged(error.what());
   }
-  at_ = behind;
-  data_crc_ = crc;
-  summary_crc_ = summary_crc;
   return {data.begin(), data.end()};
 }
 
 void Reader::take_data_end(ByteView content) {
   const std::uint32_t crc = ByteReader(content).u32();
-  if (crc != 0 && crc != data_crc_) throw BadBytes("the checksum of all data is wrong");
+  if (crc != 0 && crc != records_.crc_before()) throw BadBytes("the checksum of all data is wrong");
   part_ = Part::summary;
-  summary_at_ = at_;
+  records_.begin_crc();
+  summary_at_ = records_.behind();
 }
 
 void Reader::take_summary(const Record& record) {
@@ -323,11 +261,11 @@ void Reader::take_footer(ByteView content) {
   if (crc != 0) {
     Bytes head;
     append_record(head, Kind::footer, content);
-    if (crc != crc32(ByteView(head).first(head.size() - 4), summary_crc_)) {
+    if (crc != crc32(ByteView(head).first(head.size() - 4), records_.crc_before())) {
       throw BadBytes("the checksum of the summary is wrong");
     }
   }
-  ending_ = closed_ ? Ending::closed : Ending::cut_off;
+  ending_ = records_.closed() ? Ending::closed : Ending::cut_off;
 }
 
 const Schema& Reader::schema_of(const Channel& channel) const {
@@ -338,7 +276,7 @@ const Schema& Reader::schema_of(const Channel& channel) const {
 
 void Reader::damaged(const std::string& what) const {
   throw UserError(fmt::format("{}: is damaged at byte {}, after {} messages, which are good: {}",
-                              name_, record_at_, counted_.messages, what));
+                              records_.name(), records_.at(), counted_.messages, what));
 }
 
 bool is_mcap(const std::string& file) {

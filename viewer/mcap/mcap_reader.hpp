@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "striate/viewer/mcap/mcap_format.hpp"
+#include "striate/viewer/mcap/record_reader.hpp"
 
 namespace striate::viewer::mcap {
 
@@ -64,40 +65,28 @@ class Reader {
   [[nodiscard]] Ending ending() const { return ending_; }
   [[nodiscard]] const std::string& profile() const { return profile_; }
   [[nodiscard]] const std::string& library() const { return library_; }
-  [[nodiscard]] const std::string& name() const { return name_; }
+  [[nodiscard]] const std::string& name() const { return records_.name(); }
 
  private:
   enum class Part : std::uint8_t { data, summary };
-  struct Record {
-    Kind kind{};
-    ByteView content;
-  };
   void read_head();
-  bool read_record(Record& record);
-  void read_bytes(std::uint64_t count);
   bool next_in_chunk(Message& message);
   bool take_data(const Record& record, Message& message);
   void take_definition(const Record& record);
+  void take_metadata(ByteView content);
   void take_message(ByteView content, Message& message);
   void open_chunk(ByteView content);
   [[nodiscard]] AttachmentPlace take_attachment(ByteView content, ByteView& data) const;
   void take_data_end(ByteView content);
   void take_summary(const Record& record);
   void take_footer(ByteView content);
+  void count_definitions(std::size_t bytes);
   [[noreturn]] void damaged(const std::string& what) const;
 
-  std::unique_ptr<std::istream> stream_;
-  std::string name_;
-  std::uint64_t size_ = 0;       ///< of the file
-  std::uint64_t at_ = 0;         ///< the next record begins here
-  std::uint64_t record_at_ = 0;  ///< the record in hand
-  bool closed_ = false;          ///< the file ends as a whole one does
+  RecordReader records_;
   Part part_ = Part::data;
-  Bytes record_;
   Bytes chunk_;
-  std::size_t in_chunk_ = 0;    ///< read of it
-  std::uint32_t data_crc_ = 0;  ///< of the file up to the record in hand
-  std::uint32_t summary_crc_ = 0;
+  std::size_t in_chunk_ = 0;  ///< read of it
   std::uint64_t summary_at_ = 0;
   std::uint64_t definitions_bytes_ = 0;
   std::map<std::uint16_t, Channel> channels_;
