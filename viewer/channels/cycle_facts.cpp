@@ -38,7 +38,7 @@ void take_global(const memory::Localisation& place, FloorGrid& floor) {
   const double cell_m = memory::kObstacleCell_m;
   const Pose2 pose = place.estimate().pose();
   const auto first = [cell_m](double at_m) {
-    return (std::floor(at_m / cell_m) - kGlobalSide / 2) * cell_m;
+    return (std::floor(at_m / cell_m) - 0.5 * kGlobalSide) * cell_m;
   };
   floor.cell_m = cell_m;
   floor.corner = {first(pose.x_m), first(pose.y_m)};

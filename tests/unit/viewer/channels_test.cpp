@@ -160,6 +160,30 @@ TEST(Channels, SendNothingOfWhatIsNotThere) {
                                               {"/striate/cycle", 2}}));
 }
 
+/// In full by a validator of others, in tests/browser; here those that no short mission sends, too.
+TEST(JsonSchemas, NameTheKeysThatAreSent) {
+  CycleFacts facts = some_facts();
+  facts.recognised = {"book"};
+  facts.lessons = {{"book", true}, {"cup", false}};
+  const Json tree = task_tree({});
+  const std::map<Topic, Json> sent{{Topic::task, task_json(facts, "m", tree)},
+                                   {Topic::wish, wish_json(facts)},
+                                   {Topic::memory_events, memory_events_json(facts)},
+                                   {Topic::cycle, cycle_json(facts)}};
+  for (const auto& [topic, json] : sent) {
+    const ChannelInfo& channel = channel_list()[static_cast<std::size_t>(topic)];
+    const Json schema = Json::parse(channel.schema);
+    std::set<std::string> keys;
+    for (const auto& [key, value] : json.items()) keys.insert(key);
+    const std::set<std::string> required = schema["required"];
+    EXPECT_EQ(keys, required) << channel.name;
+    std::set<std::string> described;
+    for (const auto& [key, value] : schema["properties"].items()) described.insert(key);
+    EXPECT_EQ(keys, described) << channel.name;
+  }
+  EXPECT_EQ(sent.at(Topic::memory_events)["lessons"][1]["kind"], "missed");
+}
+
 TEST(Channels, AWordThatIsNoUtf8IsReplacedInJson) {
   tasks::Task task;
   task.mission = "\xFF";
