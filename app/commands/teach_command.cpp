@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <filesystem>
 #include <iostream>
 #include <memory>
 
@@ -11,21 +10,18 @@
 #include "striate/agent/open_memory.hpp"
 #include "striate/agent/robot_settings.hpp"
 #include "striate/agent/simulated_body.hpp"
-#include "striate/agent/teaching/image_view.hpp"
 #include "striate/agent/teaching/keep_taught.hpp"
 #include "striate/agent/teaching/live_teaching.hpp"
 #include "striate/agent/teaching/recorded_teaching.hpp"
-#include "striate/agent/teaching/thing_in_picture.hpp"
 #include "striate/app/command_line/found_file.hpp"
 #include "striate/app/command_line/whole_number.hpp"
 #include "striate/app/commands/commands.hpp"
+#include "striate/app/commands/taught_pictures.hpp"
 #include "striate/app/interrupt.hpp"
 #include "striate/app/plugin_option.hpp"
 #include "striate/app/pose_text.hpp"
 #include "striate/base/files.hpp"
 #include "striate/base/user_error.hpp"
-#include "striate/evaluation/images/read_image.hpp"
-#include "striate/evaluation/images/set_files.hpp"
 #include "striate/memory/long_term/memory_writer.hpp"
 #include "striate/memory/long_term/teaching.hpp"
 
@@ -34,7 +30,7 @@ namespace {
 
 struct TeachOptions {
   std::string name;
-  std::vector<std::string> images;
+  TaughtPictures pictures;
   std::string memory = "home.db";
   std::string robot;              ///< settings file; empty: the defaults
   std::string task;               ///< with a world: to look at a thing there ...
@@ -43,32 +39,9 @@ struct TeachOptions {
   std::string from;               ///< a recording to learn from
   std::vector<std::string> when;  ///< times of it; none: where the robot was taught then
   bool yes = false;               ///< nobody is asked
-  std::vector<std::string> crop;  ///< "x,y,w,h": of one picture each, or one of all
-  bool whole = false;             ///< pictures are kept as they are
   bool undo = false;
   bool json = false;
 };
-
-/// Files as they are; of a folder all images, by name.
-std::vector<std::string> image_files(const std::vector<std::string>& given) {
-  std::vector<std::string> files;
-  for (const std::string& one : given) {
-    if (!std::filesystem::is_directory(one)) {
-      files.push_back(one);
-      continue;
-    }
-    std::vector<std::string> inside;
-    for (const auto& entry : std::filesystem::directory_iterator(one)) {
-      if (evaluation::is_image(entry.path())) inside.push_back(entry.path());
-    }
-    if (inside.empty()) {
-      throw UserError(fmt::format("{}: no image in it (png, jpg, bmp, ppm, pgm, tif, webp)", one));
-    }
-    std::sort(inside.begin(), inside.end());
-    files.insert(files.end(), inside.begin(), inside.end());
-  }
-  return files;
-}
 
 void print_taught(const TeachOptions& options, const memory::Taught& taught) {
   if (options.json) {
@@ -90,77 +63,17 @@ void print_taught(const TeachOptions& options, const memory::Taught& taught) {
   for (const std::string& remark : taught.remarks) fmt::print("  {}\n", remark);
 }
 
-/// "x,y,w,h" in pixels of the upright picture.
-cv::Rect read_crop(const std::string& text) {
-  cv::Rect crop;
-  int used = 0;
-  const int read = std::sscanf(text.c_str(), "%d,%d,%d,%d%n", &crop.x, &crop.y, &crop.width,
-                               &crop.height, &used);
-  if (read == 4 && static_cast<std::size_t>(used) == text.size() && crop.width > 0 &&
-      crop.height > 0) {
-    return crop;
-  }
-  throw UserError(fmt::format(
-      "--crop {}: four whole numbers in pixels are needed, of the part's left upper corner, its "
-      "width and its height\n    striate teach NAME --image PICTURE --crop 120,80,300,200",
-      text));
-}
-
-/// One for each picture; empty where nothing was said.
-std::vector<cv::Rect> crops_for(const TeachOptions& options, std::size_t pictures) {
-  std::vector<cv::Rect> crops;
-  for (const std::string& text : options.crop) crops.push_back(read_crop(text));
-  if (crops.size() == 1) crops.resize(pictures, crops.front());
-  if (crops.empty() || crops.size() == pictures) return crops;
-  throw UserError(fmt::format("{} --crop for {} pictures: give one for all, or one for each",
-                              crops.size(), pictures));
-}
-
-/// On standard error where the answer is JSON.
-void tell_kept(const TeachOptions& options, const std::string& file, double share,
-               const char* why) {
-  fmt::print(options.json ? stderr : stdout, "{}: kept {:.0f} % of the picture{}\n", file,
-             100.0 * share, why);
-}
-
-memory::StoredView view_of_part(const TeachOptions& options, const std::string& file,
-                                const cv::Mat3b& image, const cv::Rect& part,
-                                const memory::LongTermSettings& settings) {
-  const cv::Rect whole(0, 0, image.cols, image.rows);
-  if ((part & whole) != part) {
-    throw UserError(fmt::format("--crop {},{},{},{}: goes beyond {}, which is {} x {} px", part.x,
-                                part.y, part.width, part.height, file, image.cols, image.rows));
-  }
-  tell_kept(options, file, static_cast<double>(part.area()) / whole.area(), "");
-  return agent::view_of_image(image(part), settings);
-}
-
-memory::StoredView view_of_thing(const TeachOptions& options, const std::string& file,
-                                 const cv::Mat3b& image, const memory::LongTermSettings& settings) {
-  const auto thing =
-      options.whole ? std::optional<agent::ThingInPicture>() : agent::find_thing(image);
-  if (!thing) {
-    tell_kept(options, file, 1.0, "");
-    return agent::view_of_image(image, settings);
-  }
-  tell_kept(options, file, thing->share,
-            ", the thing before its background (--whole keeps all of it, --crop a part)");
-  return agent::view_of_image(image(thing->box), settings, thing->inside);
-}
-
 void teach_images(const TeachOptions& options) {
   memory::check_landmark_name(options.name);
   const memory::LongTermSettings settings =
       agent::load_robot_settings(options.robot).long_term_memory;
-  const std::vector<std::string> files = image_files(options.images);
-  const std::vector<cv::Rect> crops = crops_for(options, files.size());
-  std::vector<memory::StoredView> views;
-  for (std::size_t k = 0; k < files.size(); ++k) {
-    const cv::Mat3b image = evaluation::read_any_image(files[k]);
-    views.push_back(crops.empty() ? view_of_thing(options, files[k], image, settings)
-                                  : view_of_part(options, files[k], image, crops[k], settings));
+  const PictureViews seen = views_of_pictures(options.pictures, settings);
+  const memory::Taught taught =
+      agent::keep_taught(options.memory, options.name, seen.views, settings);
+  for (const std::string& share : seen.shares) {
+    fmt::print(options.json ? stderr : stdout, "{}\n", share);
   }
-  print_taught(options, agent::keep_taught(options.memory, options.name, views, settings));
+  print_taught(options, taught);
 }
 
 void tell_views(const agent::LiveViews& seen) {
@@ -249,7 +162,7 @@ void undo(const TeachOptions& options) {
 int run(const TeachOptions& options) {
   check_writable(options.memory);
   if (options.undo) {
-    if (!options.name.empty() || !options.images.empty()) {
+    if (!options.name.empty() || !options.pictures.images.empty()) {
       throw UserError(
           "--undo takes back what was taught last, whatever it is: give no name and no picture\n"
           "    striate teach --undo --memory home.db");
@@ -257,7 +170,7 @@ int run(const TeachOptions& options) {
     undo(options);
     return 0;
   }
-  if (!options.crop.empty() && options.images.empty()) {
+  if (!options.pictures.crop.empty() && options.pictures.images.empty()) {
     throw UserError("--crop says what part of a picture shows the thing: it needs --image");
   }
   const bool live = !options.task.empty() || !options.live.world.empty();
@@ -265,7 +178,7 @@ int run(const TeachOptions& options) {
     throw UserError("a robot that is to look at something needs --task and --world");
   }
   const int sources =
-      (live ? 1 : 0) + (options.from.empty() ? 0 : 1) + (options.images.empty() ? 0 : 1);
+      (live ? 1 : 0) + (options.from.empty() ? 0 : 1) + (options.pictures.images.empty() ? 0 : 1);
   if (options.name.empty() || sources != 1) {
     throw UserError(
         "what is to be learned, and from which image?\n"
@@ -273,7 +186,7 @@ int run(const TeachOptions& options) {
         "    striate teach NAME --from RECORDING --when \"12 s\" --memory home.db\n"
         "    striate teach NAME --task teach --world WORLD --memory home.db");
   }
-  if (options.images.empty()) return teach_seen(options);
+  if (options.pictures.images.empty()) return teach_seen(options);
   teach_images(options);
   return 0;
 }
@@ -294,19 +207,19 @@ void add_teach_command(CLI::App& app, int& exit_code) {
   command->add_option("name", options->name, "the name it gets; a known one gets further views")
       ->type_name("NAME");
   command
-      ->add_option("--image", options->images,
+      ->add_option("--image", options->pictures.images,
                    "an image that shows the thing, or a folder of such; "
                    "several: several sides")
       ->allow_extra_args(false);
   CLI::Option* crop =
       command
-          ->add_option("--crop", options->crop,
+          ->add_option("--crop", options->pictures.crop,
                        "the part of the picture that shows the thing: left, upper, width, height "
                        "in pixels; one for all pictures, or one for each")
           ->type_name("X,Y,W,H")
           ->allow_extra_args(false);
   command
-      ->add_flag("--whole", options->whole,
+      ->add_flag("--whole", options->pictures.whole,
                  "keep all of the picture; else a thing that clearly stands out from a patterned "
                  "background is cut out")
       ->excludes(crop);

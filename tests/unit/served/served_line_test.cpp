@@ -147,8 +147,9 @@ TEST(ServedLine, LetsAClientGoThatDoesNotRead) {
   Client first(line);
   first.say("word\n");
   ASSERT_EQ(first.hear(3s), "ok\n");
-  Client second(line);
   line.floods = true;
+  while (line.floods) std::this_thread::sleep_for(1ms);
+  Client second(line);
   second.say("word\n");
   EXPECT_EQ(second.hear(3s), "ok\n");
 }
