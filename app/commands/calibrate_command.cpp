@@ -47,9 +47,8 @@ Looks look_at_all(const evaluation::BoardFolder& folder, const CalibrateOptions&
   Looks looks;
   for (const evaluation::BoardFiles& files : folder.looks) {
     if (files.right.empty()) {
-      const cv::Mat1b image = evaluation::read_any_grey(files.left);
-      const int half = image.cols / 2;
-      look(files.name, image.colRange(0, half), image.colRange(half, 2 * half), options, looks);
+      const auto [left, right] = evaluation::read_side_by_side(files.left);
+      look(files.name, left, right, options, looks);
     } else {
       const auto [left, right] = evaluation::read_grey_pair(files.left, files.right);
       look(files.name, left, right, options, looks);

@@ -62,10 +62,12 @@ void add_serve_options(CLI::App& command, ServeOptions& options) {
           "{p3dx,p3dx-sh}"))
       ->group(group)
       ->capture_default_str();
-  command.add_option("--laser", options.laser, "what is at the laser's line")
+  command
+      .add_option("--laser", options.laser,
+                  "what is at the laser's line; without it a hokuyo, or the lms200 that the kind "
+                  "names")
       ->check(CLI::IsMember({"hokuyo", "lms200"}))
-      ->group(group)
-      ->capture_default_str();
+      ->group(group);
   served::LineFaults& faults = options.faults;
   command.add_option("--loss", faults.loss, "share of packets that never come, 0 .. 1")
       ->check(CLI::Range(0.0, 1.0))
@@ -116,8 +118,9 @@ int serve(const ServeOptions& options) {
   const agent::RobotSettings settings = agent::load_robot_settings(options.robot);
   served::ServedDevices devices;
   devices.base.subclass = options.kind;
-  devices.laser =
-      options.laser == "lms200" ? pioneer::LaserKind::lms200 : pioneer::LaserKind::hokuyo;
+  const bool by_kind = options.laser.empty() && options.kind.ends_with("-lms200");
+  devices.laser = by_kind || options.laser == "lms200" ? pioneer::LaserKind::lms200
+                                                       : pioneer::LaserKind::hokuyo;
   served::ServedPioneer robot(world, options.seed, settings.simulator, devices,
                               agent::simulated_robot(settings));
   served::ServeSettings serving;

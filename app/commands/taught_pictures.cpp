@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <filesystem>
 #include <opencv2/core.hpp>
 #include <optional>
@@ -39,14 +41,23 @@ std::vector<std::string> image_files(const std::vector<std::string>& given) {
 
 /// "x,y,w,h" in pixels of the upright picture.
 cv::Rect read_crop(const std::string& text) {
-  cv::Rect crop;
-  int used = 0;
-  const int read = std::sscanf(text.c_str(), "%d,%d,%d,%d%n", &crop.x, &crop.y, &crop.width,
-                               &crop.height, &used);
-  if (read == 4 && static_cast<std::size_t>(used) == text.size() && crop.width > 0 &&
-      crop.height > 0) {
-    return crop;
+  std::array<int, 4> numbers{};
+  const char* at = text.data();
+  const char* const end = at + text.size();
+  std::size_t read = 0;
+  while (read < numbers.size()) {
+    const auto [after, error] = std::from_chars(at, end, numbers[read]);
+    if (error != std::errc() || (after != end && *after != ',')) break;
+    ++read;
+    if (after == end) {
+      at = after;
+      break;
+    }
+    at = after + 1;
   }
+  const cv::Rect crop(numbers[0], numbers[1], numbers[2], numbers[3]);
+  const bool all = read == numbers.size() && at == end && text.back() != ',';
+  if (all && crop.width > 0 && crop.height > 0) return crop;
   throw UserError(fmt::format(
       "--crop {}: four whole numbers in pixels are needed, of the part's left upper corner, its "
       "width and its height\n    striate teach NAME --image PICTURE --crop 120,80,300,200",

@@ -208,12 +208,17 @@ constexpr const char* kMoment =
     "\n  hint: both images of a pair must be taken at the same moment, of a board that does not "
     "move and lies flat on something stiff";
 
-void check_agreeing(std::size_t agreeing, const std::vector<BoardPair>& all) {
-  if (agreeing >= kFewestPairs && 2 * agreeing > all.size()) return;
+void check_agreeing(const std::vector<BoardPair>& kept, const std::vector<BoardPair>& all) {
+  if (kept.size() >= kFewestPairs && 2 * kept.size() > all.size()) return;
+  std::string others;
+  for (const BoardPair& pair : all) {
+    if (std::ranges::find(kept, pair.name, &BoardPair::name) != kept.end()) continue;
+    others += (others.empty() ? "" : ", ") + pair.name;
+  }
   throw UserError(
       fmt::format("of {} pairs no more than {} agree on how the two cameras stand to each other; "
-                  "{} are needed, and more than half{}",
-                  all.size(), agreeing, kFewestPairs, kMoment));
+                  "at least {} are needed, and more than half. These do not: {}{}",
+                  all.size(), kept.size(), kFewestPairs, others, kMoment));
 }
 
 void check_exact(const CalibrationReport& report) {
@@ -255,12 +260,12 @@ CalibrationReport calibrate_stereo(const std::vector<BoardPair>& pairs, const Ch
   std::vector<double> errors_px;
   const pioneer::StereoCalibration lenses = lenses_of(kept, board, size_px, errors_px);
   kept = chosen(kept, consistent_pairs(kept, board, lenses, middle_of(errors_px)));
-  check_agreeing(kept.size(), pairs);
+  check_agreeing(kept, pairs);
   CalibrationReport report = calibrate_together(kept, board, lenses);
   for (std::size_t worst = far_worse(report.pairs); worst < kept.size();
        worst = far_worse(report.pairs)) {
     kept.erase(kept.begin() + static_cast<std::ptrdiff_t>(worst));
-    check_agreeing(kept.size(), pairs);
+    check_agreeing(kept, pairs);
     report = calibrate_together(kept, board, lenses);
   }
   if (report.calibration.translation_m[0] >= 0.0) {

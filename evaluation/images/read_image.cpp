@@ -31,9 +31,11 @@ constexpr double kLongestShape = 20.0;  ///< width / height: more leaves no row 
       "{}: is no image that can be read (PNG, JPEG, PGM/PPM, BMP, TIFF, WebP)", file.string()));
 }
 
-[[noreturn]] void refuse_floats(const fs::path& file) {
+[[noreturn]] void refuse_depth(const fs::path& file) {
   throw UserError(
-      fmt::format("{}: has floating-point pixels; 8 or 16 bit are needed", file.string()));
+      fmt::format("{}: has floating-point pixels, or such of 32 bit; whole numbers of 8 "
+                  "or 16 bit are needed",
+                  file.string()));
 }
 
 std::vector<std::uint8_t> read_bytes(const fs::path& file) {
@@ -74,7 +76,7 @@ void check_size(const fs::path& file, std::int64_t width_px, std::int64_t height
 ImageHeader checked_header(const fs::path& file, const std::vector<std::uint8_t>& bytes) {
   const std::optional<ImageHeader> header = read_image_header(bytes);
   if (!header) refuse_as_unreadable(file);
-  if (header->floating) refuse_floats(file);
+  if (header->floating) refuse_depth(file);
   if (header->width_px > 0 && header->height_px > 0) {
     check_size(file, header->width_px, header->height_px);
   }
@@ -141,15 +143,17 @@ struct RawPicture {
 };
 
 RawPicture read_raw(const fs::path& file, int flags) {
-  const std::vector<std::uint8_t> bytes = read_bytes(file);
+  std::vector<std::uint8_t> bytes = read_bytes(file);
   RawPicture raw{{}, checked_header(file, bytes)};
+  // A last number without a line's end after it is a whole file to everybody but OpenCV.
+  if (raw.header.most > 0 && !raw.header.binary) bytes.push_back('\n');
   try {
     raw.pixels = cv::imdecode(bytes, flags | cv::IMREAD_IGNORE_ORIENTATION);
   } catch (const cv::Exception&) {
     raw.pixels.release();
   }
   if (raw.pixels.empty()) refuse_as_unreadable(file);
-  if (raw.pixels.depth() != CV_8U && raw.pixels.depth() != CV_16U) refuse_floats(file);
+  if (raw.pixels.depth() != CV_8U && raw.pixels.depth() != CV_16U) refuse_depth(file);
   // Where the header did not tell, or not the truth.
   check_size(file, raw.pixels.cols, raw.pixels.rows);
   const bool tiff = bytes[0] == bytes[1];  // "II" or "MM": its decoder turns by itself
@@ -223,6 +227,14 @@ EyePair read_eye_pair(const fs::path& left, const fs::path& right) {
 GreyPair read_grey_pair(const fs::path& left, const fs::path& right) {
   const RawPair pair = read_raw_pair(left, right, kGreyAsItIs);
   return {of_eight_bits(pair.left, pair.bits), of_eight_bits(pair.right, pair.bits)};
+}
+
+GreyPair read_side_by_side(const fs::path& file) {
+  const RawPicture raw = read_raw(file, kGreyAsItIs);
+  refuse_turned(file, raw);
+  const cv::Mat1b both = of_eight_bits(raw, bits_used(raw.pixels));
+  const int half = both.cols / 2;
+  return {both.colRange(0, half), both.colRange(half, 2 * half)};
 }
 
 }  // namespace striate::evaluation

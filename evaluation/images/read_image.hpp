@@ -38,4 +38,7 @@ struct GreyPair {
 [[nodiscard]] GreyPair read_grey_pair(const std::filesystem::path& left,
                                       const std::filesystem::path& right);
 
+/// The same of one file that holds both eyes side by side, the left one first.
+[[nodiscard]] GreyPair read_side_by_side(const std::filesystem::path& file);
+
 }  // namespace striate::evaluation

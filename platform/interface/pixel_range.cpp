@@ -1,5 +1,6 @@
 #include "striate/platform/interface/pixel_range.hpp"
 
+#include <algorithm>
 #include <opencv2/core.hpp>
 
 namespace striate {
@@ -8,8 +9,16 @@ int bits_used(const cv::Mat& image) {
   constexpr int kFewest = 8;  // what is shown at last has no more
   constexpr int kMost = 16;   // bits of cv::Mat's CV_16U
   if (image.empty() || image.depth() != CV_16U) return kFewest;
+  // A channel of transparency tells nothing of the others, which it exceeds.
+  const int colours = image.channels() - (image.channels() % 2 == 0 ? 1 : 0);
   double most = 0.0;
-  cv::minMaxLoc(image.reshape(1), nullptr, &most);
+  for (int channel = 0; channel < colours; ++channel) {
+    cv::Mat one;
+    cv::extractChannel(image, one, channel);
+    double greatest = 0.0;
+    cv::minMaxLoc(one, nullptr, &greatest);
+    most = std::max(most, greatest);
+  }
   int bits = kFewest;
   while (bits < kMost && most > most_of_bits(bits)) bits += 2;
   return bits;

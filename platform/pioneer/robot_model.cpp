@@ -1,6 +1,8 @@
 #include "striate/platform/pioneer/robot_model.hpp"
 
+#include <algorithm>
 #include <array>
+#include <string_view>
 
 namespace striate::pioneer {
 namespace {
@@ -12,9 +14,18 @@ const std::array<RobotModel, 2>& models() {
   return known;
 }
 
-/// ARIA's names tell a laser behind the kind: p3dx-sh-lms500. It changes nothing of the base.
+/// ARIA's names tell a laser behind the kind: p3dx-sh-lms500, p3dx-sh-lms1xx. It changes nothing of
+/// the base.
 std::string without_laser(const std::string& subclass) {
-  return subclass.substr(0, subclass.find("-lms"));
+  constexpr std::string_view kLaser = "-lms";
+  constexpr std::size_t kMostBehind = 4;  // characters of the laser's number (ours)
+  const std::size_t at = subclass.find(kLaser);
+  if (at == std::string::npos) return subclass;
+  const std::string_view number = std::string_view(subclass).substr(at + kLaser.size());
+  const bool plain = number.size() <= kMostBehind && std::ranges::all_of(number, [](char c) {
+                       return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z');
+                     });
+  return plain ? subclass.substr(0, at) : subclass;
 }
 
 }  // namespace

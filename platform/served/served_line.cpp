@@ -251,7 +251,7 @@ void ServedLine::write(Bytes bytes) {
   }
   if (parts_->outbox.size() > parts_->place.most_waiting) {
     parts_->outbox.clear();
-    return let_go("it does not read");
+    return let_go("it asks for more than the line takes, or does not read");
   }
   if (parts_->writing) return;
   if (parts_->pty) {

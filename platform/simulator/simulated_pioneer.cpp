@@ -9,6 +9,7 @@
 #include "striate/platform/simulator/people.hpp"
 #include "striate/platform/simulator/physics.hpp"
 #include "striate/platform/simulator/range_finders.hpp"
+#include "striate/platform/simulator/start_place.hpp"
 #include "striate/platform/simulator/turret.hpp"
 
 namespace striate::simulator {
@@ -180,8 +181,13 @@ const LateObstacles& SimulatedPioneer::late_obstacles() const {
 double SimulatedPioneer::laser_range_m(double bearing_rad) {
   return parts_->laser.range_m(bearing_rad, parts_->physics);
 }
-void SimulatedPioneer::put_at(const Pose2& pose) {
+bool SimulatedPioneer::put_at(const Pose2& pose) {
+  const World there = world_without(parts_->world, parts_->late.absent());
+  const ConvexShape body = moved(robot_footprint(parts_->robot), pose);
+  if (!inside_polygon({pose.x_m, pose.y_m}, parts_->plan.outline)) return false;
+  if (!overlapped_by(there, parts_->plan, body).empty()) return false;
   parts_->physics.put_robot(pose);
+  return true;
 }
 
 bool SimulatedPioneer::sense(Senses& senses) {

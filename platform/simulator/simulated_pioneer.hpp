@@ -43,7 +43,8 @@ class SimulatedPioneer : public Robot {
   /// @param bearing_rad counter-clockwise from ahead, all around
   [[nodiscard]] double laser_range_m(double bearing_rad);
   /// Puts the robot elsewhere, as a hand does that lifts it: no wheel turns.
-  void put_at(const Pose2& pose);
+  /// @return false where it would stand outside of the walls or in a thing: it stays where it is
+  bool put_at(const Pose2& pose);
 
  private:
   struct Parts;

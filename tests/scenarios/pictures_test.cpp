@@ -83,6 +83,8 @@ TEST(TeachFromPictures, LearnsThePartThatIsSaidAndTellsHowMuchThatIs) {
   for (const auto& [crop, why] :
        {std::pair<const char*, const char*>{"400,120,320,240", "goes beyond"},
         {"1,2,3", "four whole numbers"},
+        {"4294967297,0,10,10", "four whole numbers"},
+        {"1,2,3,4,", "four whole numbers"},
         {"0,0,-5,5", "four whole numbers"}}) {
     const Ended wrong = teach({"--image", image, "--crop", crop});
     EXPECT_EQ(wrong.exit_code, 2) << crop;

@@ -82,6 +82,7 @@ void ArcosFirmware::open() {
   laser_field_ = {};
   left_mm_ = right_mm_ = 0.0;
   digital_out_ = 0;
+  fake_battery_v_.reset();
   fresh_sonar_.clear();
   origin_ = senses_.odometry.pose;
   next_sip_ = now_;

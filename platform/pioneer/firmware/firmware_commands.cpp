@@ -55,21 +55,26 @@ bool ArcosFirmware::handle_motion(const Packet& packet, const Argument& argument
 
 void ArcosFirmware::handle_setting(const Packet& packet, const Argument& argument) {
   WheelControl::Limits& limits = wheels_.limits();
+  constexpr WheelControl::Limits kTop = WheelControl::kTop;
   const double size = std::abs(argument.value);
   const bool negative = argument.value < 0;
   switch (static_cast<Command>(packet.id)) {
     case Command::set_acceleration:
-      if (size > 0) (negative ? limits.deceleration_mm_s2 : limits.acceleration_mm_s2) = size;
+      if (size > 0) {
+        (negative ? limits.deceleration_mm_s2 : limits.acceleration_mm_s2) =
+            std::min(size, kTop.acceleration_mm_s2);
+      }
       return;
     case Command::set_velocity:
-      if (argument.present) limits.forward_mm_s = size;
+      if (argument.present) limits.forward_mm_s = std::min(size, kTop.forward_mm_s);
       return;
     case Command::set_rotation:
-      if (argument.present) limits.turn_deg_s = size;
+      if (argument.present) limits.turn_deg_s = std::min(size, kTop.turn_deg_s);
       return;
     case Command::set_rotation_acceleration:
       if (size > 0) {
-        (negative ? limits.turn_deceleration_deg_s2 : limits.turn_acceleration_deg_s2) = size;
+        (negative ? limits.turn_deceleration_deg_s2 : limits.turn_acceleration_deg_s2) =
+            std::min(size, kTop.turn_acceleration_deg_s2);
       }
       return;
     case Command::enable:
@@ -89,7 +94,8 @@ void ArcosFirmware::handle_setting(const Packet& packet, const Argument& argumen
       set_motors(false);
       return;
     case Command::battery_test:
-      if (argument.present) fake_battery_v_ = argument.value / 10.0;
+      fake_battery_v_.reset();  // without a value, or with 0, it is the battery's own again
+      if (argument.value > 0) fake_battery_v_ = argument.value / 10.0;
       return;
     default:
       return;

@@ -38,10 +38,12 @@ void ArcosFirmware::send_config() {
   config.type = "Pioneer";
   config.subtype = settings_.subclass;
   config.serial = settings_.serial;
-  config.rotation_top_deg_s = 360;
-  config.velocity_top_mm_s = 1000;
-  config.rotation_acceleration_top_deg_s2 = 300;
-  config.acceleration_top_mm_s2 = 2000;
+  constexpr WheelControl::Limits kTop = WheelControl::kTop;
+  config.rotation_top_deg_s = static_cast<std::uint16_t>(kTop.turn_deg_s);
+  config.velocity_top_mm_s = static_cast<std::uint16_t>(kTop.forward_mm_s);
+  config.rotation_acceleration_top_deg_s2 =
+      static_cast<std::uint16_t>(kTop.turn_acceleration_deg_s2);
+  config.acceleration_top_mm_s2 = static_cast<std::uint16_t>(kTop.acceleration_mm_s2);
   config.pwm_max = 500;
   config.name = settings_.name;
   config.sip_cycle_ms = static_cast<std::uint8_t>(settings_.sip_cycle_ms);

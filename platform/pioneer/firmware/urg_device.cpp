@@ -258,7 +258,13 @@ std::vector<int> UrgDevice::grouped(const scip::ScanRequest& request,
   for (int at = request.first_step; at <= request.last_step; at += request.group) {
     const auto begin = ranges_mm.begin() + (at - parameters_.first_step);
     const int size = std::min(request.group, request.last_step - at + 1);
-    nearest.push_back(*std::min_element(begin, begin + size));
+    // Below the nearest range stand the codes of rays that measured nothing: they hide nothing.
+    int least = 0;
+    for (auto range = begin; range != begin + size; ++range) {
+      const bool measured = *range >= parameters_.nearest_mm;
+      if (measured && (least < parameters_.nearest_mm || *range < least)) least = *range;
+    }
+    nearest.push_back(least);
   }
   return nearest;
 }
@@ -272,8 +278,11 @@ void UrgDevice::step(TimePoint now, const std::vector<int>& ranges_mm) {
                                            scans.request.three_characters ? 3 : 2));
     output_.insert(output_.end(), text.begin(), text.end());
   };
-  for (const Scans& scans : asked_) send(scans, scans.head + scans.tail);
-  asked_.clear();
+  if (!asked_.empty() && now >= next_turn_) {
+    for (const Scans& scans : asked_) send(scans, scans.head + scans.tail);
+    asked_.clear();
+    next_turn_ = now + turn();
+  }
   if (!running_ || now < next_scan_) return;
   scip::ScanRequest& request = running_->request;
   next_scan_ = now + turn() * (request.skip + 1);

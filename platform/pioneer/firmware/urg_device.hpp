@@ -18,7 +18,7 @@ class UrgDevice {
   void set_time(TimePoint now) { now_ = now; }
   /// A scan has been asked for and is due.
   [[nodiscard]] bool measures(TimePoint now) const {
-    return (running_ && now >= next_scan_) || !asked_.empty();
+    return (running_ && now >= next_scan_) || (!asked_.empty() && now >= next_turn_);
   }
   /// Call in steps of at most 100 ms. ranges_mm: one for each step of the device's parameters.
   void step(TimePoint now, const std::vector<int>& ranges_mm);
@@ -73,6 +73,7 @@ class UrgDevice {
   TimePoint now_;
   TimePoint zero_;  ///< where its clock showed 0
   TimePoint next_scan_;
+  TimePoint next_turn_;  ///< of the mirror, after a scan that was asked for
 
   static constexpr int kBitRate = 19200;  ///< bit/s when it is switched on; URG-04LX
 };

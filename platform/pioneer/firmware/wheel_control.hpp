@@ -17,6 +17,9 @@ class WheelControl {
     double turn_deceleration_deg_s2 = 100.0;  ///< RotDecel in FLASH; ARCOS manual
   };
 
+  /// No limit is set higher: the motors do no more. Of a real P3-DX's CONFIGpac.
+  static constexpr Limits kTop{1000.0, 360.0, 2000.0, 2000.0, 300.0, 300.0};
+
   void set_forward(double mm_s);
   void set_turn(double deg_s);
   void set_wheels(double left_mm_s, double right_mm_s, double half_axle_mm);

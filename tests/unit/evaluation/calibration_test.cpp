@@ -197,6 +197,18 @@ TEST(CalibrateStereo, WhereAllRightImagesCameLateNothingIsMadeOfThem) {
   }
 }
 
+TEST(CalibrateStereo, WhereTooFewAgreeThoseThatDoNotAreNamed) {
+  std::vector<BoardPair> pairs = named_pairs();
+  pairs.resize(5);
+  take_right_from(pairs, 2, 3);
+  try {
+    (void)calibrate_stereo(pairs, kBoard, kSize);
+    ADD_FAILURE() << "four pairs were enough";
+  } catch (const UserError& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("These do not: p2"));
+  }
+}
+
 /// Corners of every image, found so badly.
 std::vector<BoardPair> blurred_pairs(double by_px) {
   std::vector<BoardPair> pairs = named_pairs();

@@ -26,6 +26,17 @@ TEST(PixelRange, BitsAreThoseOfSensors) {
   EXPECT_EQ(bits_used(cv::Mat()), 8);
 }
 
+TEST(PixelRange, TransparencyTellsNothingOfTheColours) {
+  for (const int channels : {2, 4}) {
+    cv::Mat image(4, 4, CV_16UC(channels), cv::Scalar::all(1000));
+    std::vector<cv::Mat> parts;
+    cv::split(image, parts);
+    parts.back().setTo(65535);
+    cv::merge(parts, image);
+    EXPECT_EQ(bits_used(image), 10) << channels;
+  }
+}
+
 TEST(PixelRange, WhiteIsWhiteWhateverItsValueIs) {
   for (const int bits : {8, 10, 12, 14, 16}) {
     const int most = most_of_bits(bits);

@@ -235,6 +235,48 @@ TEST(RobotModel, IsTheKindWhateverLaserItsNameTells) {
   EXPECT_DOUBLE_EQ(find_model("p3dx-lms2xx")->distance_mm, 0.485);
   EXPECT_EQ(find_model("p3at-sh-lms500"), nullptr) << "other wheels";
   EXPECT_EQ(find_model("-lms200"), nullptr);
+  EXPECT_EQ(find_model("p3dx-lms" + std::string(300, 'x')), nullptr) << "no packet holds it";
+  EXPECT_EQ(find_model("p3dx-sh-lms\x1b[2"), nullptr);
+}
+
+/// A ramp that runs beyond what the motors do begins its way down from a speed that is not there.
+TEST(ArcosFirmware, NoSpeedIsSetThatTheMotorsDoNotReach) {
+  OpenController robot;
+  robot.say(command(Command::enable, 1));
+  for (const Command limit : {Command::set_velocity, Command::set_rotation,
+                              Command::set_acceleration, Command::set_rotation_acceleration}) {
+    robot.say(command(limit, 30000));
+  }
+  robot.say(command(Command::velocity, 30000));
+  robot.say(command(Command::rotation_velocity, 30000));
+  (void)robot.run(5.0);
+  EXPECT_DOUBLE_EQ(robot.firmware.forward_m_s(), 1.0);
+  EXPECT_NEAR(robot.firmware.turn_rad_s(), radians(360.0), 1e-9);
+  robot.say(command(Command::stop));
+  (void)robot.run(1.0 / 0.3 + 0.1);
+  EXPECT_EQ(robot.firmware.forward_m_s(), 0.0) << "at 300 mm/s2";
+}
+
+TEST(ArcosFirmware, ABatteryThatIsPlayedIsTheNextClientsNoMore) {
+  OpenController robot;
+  const auto told_dv = [&] {
+    int dv = -1;
+    for (const Packet& packet : robot.run(0.25)) {
+      if (const auto sip = arcos::read_sip(packet)) dv = sip->battery_dv;
+    }
+    return dv;
+  };
+  const int full_dv = told_dv();
+  EXPECT_GT(full_dv, 110);
+  robot.say(command(Command::battery_test, 80));
+  EXPECT_EQ(told_dv(), 80);
+  robot.say(command(Command::battery_test, 0));
+  EXPECT_EQ(told_dv(), full_dv);
+  robot.say(command(Command::battery_test, 80));
+  robot.say(command(Command::close));
+  for (const Command id : {Command::sync0, Command::sync1, Command::sync2}) robot.say(command(id));
+  robot.say(command(Command::open, 1));
+  EXPECT_EQ(told_dv(), full_dv);
 }
 
 }  // namespace

@@ -153,5 +153,35 @@ TEST(UrgDevice, RebootsAtTheSecondWord) {
   EXPECT_EQ(urg.say("BM").substr(3, 2), "00") << "the laser was off";
 }
 
+TEST(UrgDevice, ARayThatMeasuredNothingHidesNoneOfItsCluster) {
+  UrgDevice device;
+  const std::string ask = "BM\nGD0044004603\n";
+  device.receive(Bytes(ask.begin(), ask.end()));
+  std::vector<int> ranges(device.rays(), 0);
+  ranges[0] = 0;
+  ranges[1] = 5576;
+  ranges[2] = 5411;
+  const TimePoint now{std::chrono::seconds(5)};
+  ASSERT_TRUE(device.measures(now));
+  device.step(now, ranges);
+  const Bytes bytes = device.take_output();
+  const std::string said(bytes.begin(), bytes.end());
+  const std::string range_of_5411 = {'0' + 1, '0' + (5411 / 64) % 64, '0' + 5411 % 64};
+  EXPECT_NE(said.find("\n" + range_of_5411), std::string::npos) << said;
+}
+
+/// The mirror turns ten times a second, whoever asks.
+TEST(UrgDevice, IsAskedNoFasterThanItsMirrorTurns) {
+  UrgLine urg;
+  (void)urg.say("BM");
+  int scans = 0;
+  for (int i = 0; i < 100; ++i) {
+    (void)urg.say("GD0044004600");
+    scans += urg.run(0.01).find("GD0044004600\n00P\n") == std::string::npos ? 0 : 1;
+  }
+  EXPECT_GE(scans, 9);
+  EXPECT_LE(scans, 11);
+}
+
 }  // namespace
 }  // namespace striate::pioneer

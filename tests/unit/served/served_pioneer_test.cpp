@@ -136,6 +136,17 @@ TEST(ServedRequests, TheRobotIsPutAndStaysWhatItsWheelsSay) {
   EXPECT_NEAR(client.robot.true_pose().heading_rad, start.heading_rad, 1e-3);
 }
 
+TEST(ServedRequests, TheRobotIsPutIntoNoWallAndNotOutside) {
+  ClientOfHall client;
+  const Pose2 start = client.robot.true_pose();
+  for (const auto& [x_mm, y_mm] :
+       {std::pair{5000, 1200}, {5000, 20000}, {-4000, 0}, {2000000000, -2000000000}}) {
+    client.put_at(x_mm, y_mm, 0);
+    EXPECT_NEAR(client.robot.true_pose().x_m, start.x_m, 1e-3) << x_mm << " " << y_mm;
+    EXPECT_NEAR(client.robot.true_pose().y_m, start.y_m, 1e-3);
+  }
+}
+
 TEST(ServedRequests, TheEncodersFollowEachWheel) {
   ClientOfHall client;
   client.put_at(10000, 0, 0);
