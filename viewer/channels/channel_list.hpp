@@ -1,5 +1,6 @@
 #pragma once
 
+#include <bitset>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -37,6 +38,11 @@ enum class Topic : std::uint8_t {
   memory_events,
   cycle
 };
+
+inline constexpr std::size_t kTopics = static_cast<std::size_t>(Topic::cycle) + 1;
+
+/// Some of the channels; the place of each is its Topic.
+using TopicSet = std::bitset<kTopics>;
 
 struct ChannelInfo {
   Topic topic{};

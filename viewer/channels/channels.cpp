@@ -11,11 +11,13 @@ namespace striate::viewer {
 
 template <class Message>
 void Channels::send(Topic topic, const Message& message) {
+  if (!wants(topic)) return;
   encode_cdr(message, bytes_);
   (*sink_)(topic, log_time_ns_, bytes_);
 }
 
 void Channels::send_json(Topic topic, const Json& json) {
+  if (!wants(topic)) return;
   const std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
   (*sink_)(topic, log_time_ns_, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
 }
@@ -54,20 +56,24 @@ void Channels::publish_body(const CycleFacts& facts) {
 void Channels::publish_images(const CycleFacts& facts) {
   const StereoFrame& frame = facts.senses.stereo;
   send(Topic::left_info, camera_info_of(frame, false));
-  write_image(frame.left, frame.stamp, image_);
-  send(Topic::left_image, image_);
+  if (wants(Topic::left_image)) {
+    write_image(frame.left, frame.stamp, image_);
+    send(Topic::left_image, image_);
+  }
   if (frame.right.empty()) return;
   send(Topic::right_info, camera_info_of(frame, true));
-  write_image(frame.right, frame.stamp, image_);
-  send(Topic::right_image, image_);
+  if (wants(Topic::right_image)) {
+    write_image(frame.right, frame.stamp, image_);
+    send(Topic::right_image, image_);
+  }
 }
 
 void Channels::publish_vision(const CycleFacts& facts) {
-  if (!facts.disparity.disparity_px.empty()) {
+  if (!facts.disparity.disparity_px.empty() && wants(Topic::disparity)) {
     write_disparity(facts, disparity_);
     send(Topic::disparity, disparity_);
   }
-  if (!facts.salience.empty()) {
+  if (!facts.salience.empty() && wants(Topic::saliency)) {
     write_saliency(facts, saliency_);
     send(Topic::saliency, saliency_);
   }

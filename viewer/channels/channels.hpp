@@ -22,10 +22,14 @@ class Channels {
   Channels(const RobotDescription& robot, const tasks::Task& task)
       : robot_(robot), mission_(task.mission), tree_(task_tree(task.outline)) {}
 
+  [[nodiscard]] const RobotDescription& robot() const { return robot_; }
+  /// Only these from now on: nobody takes the others, so they are not made. At first all.
+  void want(const TopicSet& topics) { wanted_ = topics; }
   /// The messages of a cycle. @throws as the sink
   void publish(const CycleFacts& facts, const Sink& sink);
 
  private:
+  [[nodiscard]] bool wants(Topic topic) const { return wanted_[static_cast<std::size_t>(topic)]; }
   template <class Message>
   void send(Topic topic, const Message& message);
   void send_json(Topic topic, const Json& json);
@@ -42,6 +46,8 @@ class Channels {
   TimePoint laser_stamp_{Duration::min()};
   TimePoint sonar_stamp_{Duration::min()};
   std::string task_said_;  ///< state and action of the last message about the task
+
+  TopicSet wanted_ = TopicSet().set();
 
   // Of the cycle in hand.
   const Sink* sink_ = nullptr;

@@ -28,33 +28,16 @@ void MissionMcap::begin(const agent::Mission& mission) {
 
 void MissionMcap::take(const agent::Mission& mission) {
   if (!thread_.joinable()) return;
-  {
-    const std::lock_guard lock(mutex_);
-    if (filled_ - emptied_ == kSlots) {
-      ++lost_;
-      taker_.lost();
-      return;
-    }
-  }
-  // The slot is this side's until it is counted as filled.
-  taker_.take(mission.cycle(), mission.executive(), mission.cycles(), slots_[filled_ % kSlots]);
-  {
-    const std::lock_guard lock(mutex_);
-    ++filled_;
-  }
-  wake_.notify_one();
+  const bool taken = ring_.put([&](CycleFacts& facts) {
+    taker_.take(mission.cycle(), mission.executive(), mission.cycles(), facts);
+  });
+  if (!taken) taker_.lost();
 }
 
 void MissionMcap::work() {
-  std::unique_lock lock(mutex_);
-  while (true) {
-    wake_.wait(lock, [this] { return ending_ || emptied_ < filled_; });
-    if (emptied_ == filled_) return;
-    const CycleFacts& facts = slots_[emptied_ % kSlots];
-    lock.unlock();
-    keep(facts);
-    lock.lock();
-    ++emptied_;
+  while (const CycleFacts* facts = ring_.wait_for_front()) {
+    keep(*facts);
+    ring_.pop();
   }
 }
 
@@ -80,11 +63,7 @@ void MissionMcap::note_failure(const char* why) noexcept {
 
 agent::RecordingEnd MissionMcap::finish() {
   if (!thread_.joinable()) return {};
-  {
-    const std::lock_guard lock(mutex_);
-    ending_ = true;
-  }
-  wake_.notify_one();
+  ring_.end();
   thread_.join();
   try {
     if (!failed_) writer_->close();
@@ -96,16 +75,17 @@ agent::RecordingEnd MissionMcap::finish() {
 
 agent::RecordingEnd MissionMcap::end() const {
   agent::RecordingEnd end;
-  const std::uint64_t all = filled_ + lost_;
+  const std::uint64_t lost = ring_.lost();
+  const std::uint64_t all = ring_.filled() + lost;
   const std::uint64_t whole = writer_->whole_cycles();
   end.failed = failed_;
   if (failed_) {
     end.lost =
         fmt::format("{}: {} of {} cycles are not in it: {}", file_, all - whole, all, why_failed_);
-  } else if (lost_ > 0) {
+  } else if (lost > 0) {
     end.lost =
         fmt::format("{}: {} of {} cycles are not in it: the robot was faster than its writer",
-                    file_, lost_, all);
+                    file_, lost, all);
   }
   end.kept = fmt::format("{}, {} cycles, {:.1f} MB", file_, whole,
                          static_cast<double>(writer_->bytes()) / 1e6);

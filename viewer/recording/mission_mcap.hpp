@@ -1,16 +1,14 @@
 #pragma once
 
-#include <array>
-#include <condition_variable>
 #include <cstdint>
 #include <memory>
-#include <mutex>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include "striate/agent/mission.hpp"
 #include "striate/agent/recording/mission_recorder.hpp"
+#include "striate/viewer/channels/facts_ring.hpp"
 #include "striate/viewer/recording/facts_file.hpp"
 
 namespace striate::viewer {
@@ -51,14 +49,7 @@ class MissionMcap {
   // The cycle's side.
   FactsTaker taker_;
 
-  // Shared: which slots are filled.
-  std::mutex mutex_;
-  std::condition_variable wake_;
-  std::uint64_t filled_ = 0;
-  std::uint64_t emptied_ = 0;
-  std::uint64_t lost_ = 0;  ///< cycles for which no slot was free
-  bool ending_ = false;
-  std::array<CycleFacts, kSlots> slots_;
+  FactsRing ring_{kSlots};
 
   // The thread's side.
   bool failed_ = false;
