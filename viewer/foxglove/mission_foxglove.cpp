@@ -1,0 +1,61 @@
+#include "striate/viewer/foxglove/mission_foxglove.hpp"
+
+#include <fmt/format.h>
+
+#include "striate/agent/recording/setup.hpp"
+#include "striate/base/version.hpp"
+
+namespace striate::viewer {
+namespace {
+
+foxglove::ServerFacts server_facts(const char* what, const tasks::Task& task,
+                                   const agent::RobotSettings& settings) {
+  foxglove::ServerFacts facts;
+  facts.name = fmt::format("striate {}, {} {}", kVersion, what, task.mission);
+  for (const auto& [key, value] : agent::printed_settings(settings)) {
+    facts.parameters.emplace_back(key, value);
+  }
+  return facts;
+}
+
+}  // namespace
+
+void MissionFoxglove::begin(const foxglove::ServerOptions& options, agent::Mission& mission) {
+  const tasks::Task& task = mission.executive().task();
+  server_ = std::make_unique<foxglove::FoxgloveServer>(
+      options, server_facts("runs", task, mission.settings()),
+      Channels(mission.body().description(), task));
+  mission.set_pilot([server = server_.get()](TimePoint now) { return server->pilot().wish(now); });
+}
+
+void MissionFoxglove::begin(const foxglove::ServerOptions& options,
+                            const agent::ReplayMission& mission) {
+  const tasks::Task& task = mission.executive().task();
+  foxglove::ServerOptions looked_at = options;
+  looked_at.drives = false;
+  server_ = std::make_unique<foxglove::FoxgloveServer>(
+      looked_at, server_facts("replays", task, mission.settings()),
+      Channels(mission.robot(), task));
+}
+
+void MissionFoxglove::take(const agent::CognitiveCycle& cycle, const tasks::Executive& executive,
+                           std::uint64_t number) {
+  if (!server_) return;
+  const bool taken =
+      server_->put([&](CycleFacts& facts) { taker_.take(cycle, executive, number, facts); });
+  if (!taken) taker_.lost();
+}
+
+void MissionFoxglove::take(const agent::Mission& mission) {
+  take(mission.cycle(), mission.executive(), mission.cycles());
+}
+
+void MissionFoxglove::take(const agent::ReplayMission& mission) {
+  take(mission.cycle(), mission.executive(), mission.recorded().number);
+}
+
+void MissionFoxglove::finish() {
+  if (server_) server_->finish();
+}
+
+}  // namespace striate::viewer
