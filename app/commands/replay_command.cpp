@@ -3,17 +3,22 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <thread>
 
 #include "striate/agent/memory_json.hpp"
 #include "striate/agent/pictures/cycle_sheet.hpp"
 #include "striate/agent/replay/replay_mission.hpp"
 #include "striate/app/command_line/found_file.hpp"
 #include "striate/app/commands/commands.hpp"
+#include "striate/app/commands/foxglove_options.hpp"
 #include "striate/app/interrupt.hpp"
+#include "striate/app/pace.hpp"
 #include "striate/app/perceive_files.hpp"
 #include "striate/app/plugin_option.hpp"
 #include "striate/base/files.hpp"
+#include "striate/base/say.hpp"
 #include "striate/base/user_error.hpp"
+#include "striate/viewer/foxglove/mission_foxglove.hpp"
 
 namespace striate::app {
 namespace {
@@ -22,6 +27,8 @@ struct ReplayCommandOptions {
   agent::ReplayOptions replay;
   int picture_every = 0;  // cycles between images; 0: none
   std::string pictures;
+  FoxgloveOptions foxglove;
+  double speed = 1.0;  // of what is shown; 0: as fast as it can
   bool json = false;
 };
 
@@ -121,21 +128,55 @@ void print_as_json(const agent::ReplayMission& mission, const Comparison& result
   fmt::print("{}", agent::print_json(json));
 }
 
+/// A recording as it is shown: at a speed that eyes can follow, and held where a viewer pauses it.
+class ShownReplay {
+ public:
+  ShownReplay(const ReplayCommandOptions& options, const agent::ReplayMission& mission)
+      : shown_(options.foxglove.wanted()), pace_(shown_ ? options.speed : 0.0) {
+    if (!shown_) return;
+    foxglove_.begin(options.foxglove.for_server(), mission);
+    say(stderr, fmt::format("Foxglove, Lichtblick: {}\n", foxglove_.url()));
+  }
+  /// @return false where somebody wants it to end
+  bool show(const agent::ReplayMission& mission) {
+    if (!shown_) return true;
+    foxglove_.take(mission);
+    const TimePoint at = mission.recorded().senses.now;
+    std::this_thread::sleep_until(pace_.due(at, Pace::Steady::now()));
+    while (foxglove_.paused() && goes_on()) std::this_thread::sleep_for(kLookAgain);
+    return goes_on();
+  }
+  void finish() { foxglove_.finish(); }
+
+ private:
+  /// By hand: a person does not notice it
+  static constexpr auto kLookAgain = std::chrono::milliseconds(20);
+  [[nodiscard]] bool goes_on() const { return !Interrupt::requested() && !foxglove_.stop_asked(); }
+
+  bool shown_;
+  viewer::MissionFoxglove foxglove_;
+  Pace pace_;
+};
+
 int run(const ReplayCommandOptions& options) {
   make_folder(options.pictures);
   const Interrupt interrupt(Interrupt::BrokenOutput::ends);
   agent::ReplayMission mission(options.replay);
   Comparison result;
-  while (!Interrupt::requested() && mission.step()) {
+  ShownReplay shown(options, mission);
+  bool goes_on = true;
+  while (goes_on && !Interrupt::requested() && mission.step()) {
     compare(mission, result);
     take_image(mission, options);
+    goes_on = shown.show(mission);
   }
+  shown.finish();
   if (options.json) {
     print_as_json(mission, result);
   } else {
     print_text(mission, result);
   }
-  if (Interrupt::requested()) return 130;
+  if (Interrupt::requested() || !goes_on) return 130;
   return result.identical() ? 0 : 1;
 }
 
@@ -150,6 +191,7 @@ void add_replay_command(CLI::App& app, int& exit_code) {
       "Examples: striate replay run.rec\n"
       "          striate replay run.rec --robot other.yaml --pictures out/replay "
       "--picture-every 10\n"
+      "          striate replay run.rec --foxglove\n"
       "Exit code 0: all the same; 1: something was decided otherwise, and it says where first,\n"
       "or the recording holds no cycle.");
   command->add_option("recording", options->replay.recording, "the recording")->required();
@@ -166,6 +208,13 @@ void add_replay_command(CLI::App& app, int& exit_code) {
       ->check(CLI::Range(0, 1000000))
       ->needs(pictures);
   pictures->needs("--picture-every");
+  add_foxglove_options(*command, options->foxglove, false);
+  command
+      ->add_option("--speed", options->speed,
+                   "of what is shown: 1 as it was, 2 twice as fast; 0: as fast as it can")
+      ->check(CLI::Range(0.0, 1000.0))
+      ->needs("--foxglove")
+      ->capture_default_str();
   command->add_flag("--json", options->json, "print JSON instead of text");
   command->callback([options, &exit_code] {
     find_robot(options->replay.robot);

@@ -34,6 +34,8 @@ void add_run_command(CLI::App& app, int& exit_code) {
       "--seed 7 --result r.json\n"
       "          striate run corridor --robot pioneer "
       "--var \"way=20 m\"\n"
+      "          striate run corridor --world corridor_a "
+      "--real-time --foxglove\n"
       "Ctrl-C stops the robot, runs the task's 'finally' and still writes the result; a second "
       "one leaves 'finally' out, a third one ends the program at once, and the robot still stops.\n"
       "A robot that holds because the program stood still goes on after r and Enter, or the "
@@ -68,6 +70,11 @@ void add_run_command(CLI::App& app, int& exit_code) {
   command->add_option("--record", options->run.record,
                       "file for all that is felt and decided, for 'striate replay' and 'recall'");
   add_mcap_options(*command, options->run.mcap);
+  add_foxglove_options(*command, options->run.foxglove, true);
+  command
+      ->add_flag("--real-time", options->run.real_time,
+                 "the world goes no faster than the clock on the wall, for who looks on or drives")
+      ->needs(world);
   command->add_option("--inspect", options->run.inspect,
                       "file that shows once a second what short-term memory holds, for "
                       "'striate recall'");

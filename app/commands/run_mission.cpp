@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <thread>
 #include <utility>
 
 #include "striate/agent/given_variables.hpp"
@@ -15,11 +16,13 @@
 #include "striate/app/commands/run_report.hpp"
 #include "striate/app/interrupt.hpp"
 #include "striate/app/operator_reset.hpp"
+#include "striate/app/pace.hpp"
 #include "striate/app/pair_watch.hpp"
 #include "striate/app/reports.hpp"
 #include "striate/app/status_line.hpp"
 #include "striate/base/files.hpp"
 #include "striate/base/say.hpp"
+#include "striate/viewer/foxglove/mission_foxglove.hpp"
 #include "striate/viewer/recording/mission_mcap.hpp"
 
 namespace striate::app {
@@ -43,6 +46,7 @@ std::string session_title(const agent::Mission& mission, const agent::MissionOpt
 /// What may fail without the mission noticing, as it is called in the message.
 constexpr const char* kRecording = "the recording";
 constexpr const char* kMcap = "the MCAP file";
+constexpr const char* kFoxglove = "the Foxglove server";
 constexpr const char* kInspection = "the view of short-term memory";
 constexpr const char* kPictures = "the pictures";
 constexpr const char* kMemory = "the long-term memory";
@@ -51,13 +55,15 @@ constexpr const char* kPair = "the look at the eyes";
 constexpr const char* kStatus = "the status line";
 constexpr const char* kResult = "the result";
 
-/// What is written down of a mission. Made before it, since both copy the memory as it is then.
+/// What is written down of a mission and shown of it. Made before it, since files copy the memory
+/// as it is then; viewers may drive it to its end.
 struct MissionFiles {
   explicit MissionFiles(const RunOptions& options)
       : recorder(options.record, options.memory),
         mcap(options.mcap.file, compression_of(options.mcap), options.memory) {}
   agent::MissionRecorder recorder;
   viewer::MissionMcap mcap;
+  viewer::MissionFoxglove foxglove;
 };
 
 /// How much of it was kept, for the summary; "" without a file.
@@ -79,12 +85,14 @@ class Watchers {
         status_(options.quiet || options.json) {
     files_.recorder.begin(mission);
     files_.mcap.begin(mission);
+    show_to_foxglove();
   }
 
   /// After each cycle, before anything ends the task from outside.
   void take() noexcept {
     reports_.attempt(kRecording, [this] { files_.recorder.take(mission_); });
     reports_.attempt(kMcap, [this] { files_.mcap.take(mission_); });
+    reports_.attempt(kFoxglove, [this] { files_.foxglove.take(mission_); });
     reports_.attempt(kInspection, [this] {
       live_.take(mission_.cycle(), mission_.executive(), mission_.cycles());
     });
@@ -135,6 +143,7 @@ class Watchers {
         kRecording, [this] { return files_.recorder.finish(); }, kept.recording);
     finish_file(
         kMcap, [this] { return files_.mcap.finish(); }, kept.mcap);
+    reports_.finish(kFoxglove, [this] { files_.foxglove.finish(); });
     reports_.finish(kInspection, [&] { reports_.note(kInspection, live_.finish().c_str()); });
     reports_.finish(
         kMemory, [&] { reports_.note(kMemory, memory_.finish(mission_.cycle(), result).c_str()); });
@@ -150,6 +159,13 @@ class Watchers {
   }
 
  private:
+  /// The address is told in any case: without it nobody finds a free port, or knows the token.
+  void show_to_foxglove() {
+    if (!options_.foxglove.wanted()) return;
+    files_.foxglove.begin(options_.foxglove.for_server(), mission_);
+    say(stderr, fmt::format("Foxglove, Lichtblick: {}\n", files_.foxglove.url()));
+  }
+
   template <class Finish>
   void finish_file(const char* what, Finish finish, std::string& kept) noexcept {
     reports_.finish(what, [&] {
@@ -174,10 +190,10 @@ class Watchers {
   Reports reports_;
 };
 
-/// Ctrl-C ends the mission safely; twice, without its `finally`.
-bool asked_to_end(agent::Mission& mission) {
+/// Ctrl-C ends the mission safely, and so does a viewer; twice, without its `finally`.
+bool asked_to_end(agent::Mission& mission, const MissionFiles& files) {
   if (Interrupt::insisted()) mission.abandon();
-  return Interrupt::requested();
+  return Interrupt::requested() || files.foxglove.stop_asked();
 }
 
 std::string report_text(const RunOptions& options, const agent::RunResult& result,
@@ -211,9 +227,12 @@ int run_mission(const RunOptions& options, const agent::BodySource& body) {
   if (!options.quiet) say(stderr, mission.notices());
   Watchers watchers(options, mission, files);
   if (options.at_begin) options.at_begin(mission);
+  Pace pace(options.real_time ? 1.0 : 0.0);
   const agent::RunResult result = mission.run([&](const agent::Mission&) {
     watchers.take();
-    return asked_to_end(mission);
+    std::this_thread::sleep_until(
+        pace.due(mission.cycle().trace().senses.now, Pace::Steady::now()));
+    return asked_to_end(mission, files);
   });
   // First what others wait for: all the rest may take its time, or fail.
   std::string json;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "striate/agent/mission.hpp"
+#include "striate/app/commands/foxglove_options.hpp"
 #include "striate/app/commands/mcap_options.hpp"
 
 namespace striate::app {
@@ -17,10 +18,12 @@ struct RunOptions {
   std::string memory;  ///< long-term memory; empty: none
   std::string record;  ///< recording; empty: none
   McapOptions mcap;
-  std::string inspect;    ///< short-term memory once a second; empty: none
-  std::string pictures;   ///< folder for images of the run; empty: none
-  int picture_every = 0;  ///< an overview image every so many cycles; 0: none
-  std::string result;     ///< JSON file; empty: none
+  FoxgloveOptions foxglove;
+  bool real_time = false;  ///< not faster than the clock on the wall
+  std::string inspect;     ///< short-term memory once a second; empty: none
+  std::string pictures;    ///< folder for images of the run; empty: none
+  int picture_every = 0;   ///< an overview image every so many cycles; 0: none
+  std::string result;      ///< JSON file; empty: none
   bool quiet = false;
   bool json = false;
   /// Who else looks at the run, and may drive: called once before it, and after each cycle.

@@ -4,67 +4,19 @@
 import assert from "node:assert/strict";
 import { createRequire } from "node:module";
 import { open, readFile } from "node:fs/promises";
+import { makeDecoders } from "./decoders.mjs";
 
 const [packages, ...files] = process.argv.slice(2);
 const require = createRequire(`${packages}/`);
 const { McapIndexedReader, McapStreamReader } = require("@mcap/core");
-const { parse } = require("@foxglove/rosmsg");
-const { MessageReader } = require("@foxglove/rosmsg2-serialization");
-const { ros2humble } = require("@foxglove/rosmsg-msgs-common");
 const zstd = require("@foxglove/wasm-zstd");
 const lz4 = require("@foxglove/wasm-lz4");
-const Ajv = require("ajv/dist/2020").default;
 
 await Promise.all([zstd.isLoaded, lz4.isLoaded]);
 const decompressHandlers = {
   zstd: (bytes, size) => zstd.decompress(bytes, Number(size)),
   lz4: (bytes, size) => lz4(bytes, Number(size)),
 };
-const text = (bytes) => new TextDecoder("utf-8", { fatal: true }).decode(bytes);
-
-// Names and types of fields; constants and defaults have no bytes.
-const layout = (definition) =>
-  definition.definitions
-    .filter((field) => !field.isConstant)
-    .map(({ name, type, isArray, arrayLength, isComplex }) =>
-      [name, type, Boolean(isArray), arrayLength ?? 0, Boolean(isComplex)]);
-
-function checkSchema(schema) {
-  const types = parse(text(schema.data), { ros2: true });
-  for (const [index, type] of types.entries()) {
-    const name = index === 0 ? schema.name.replace("/msg/", "/") : type.name.replace("/msg/", "/");
-    const known = ros2humble[name];
-    assert.ok(known, `${name} is a type of ROS 2`);
-    const plain = (field) => field.map((v) => (typeof v === "string" ? v.replace("/msg/", "/") : v));
-    assert.deepEqual(layout(type).map(plain), layout(known).map(plain), name);
-  }
-  return types;
-}
-
-class Decoders {
-  #known = new Map();
-  #ajv = new Ajv({ strict: true, allowUnionTypes: true });
-  decode(channel, schema, data) {
-    if (!this.#known.has(channel.id)) this.#known.set(channel.id, this.#make(channel, schema));
-    return this.#known.get(channel.id)(data);
-  }
-  #make(channel, schema) {
-    if (channel.messageEncoding === "cdr") {
-      assert.equal(schema.encoding, "ros2msg");
-      const reader = new MessageReader(checkSchema(schema));
-      return (data) => reader.readMessage(data);
-    }
-    assert.equal(channel.messageEncoding, "json");
-    assert.equal(schema.encoding, "jsonschema");
-    const validate = this.#ajv.compile(JSON.parse(text(schema.data)));
-    return (data) => {
-      const message = JSON.parse(text(data));
-      assert.ok(validate(message), `${channel.topic}: ${JSON.stringify(validate.errors)}`);
-      return message;
-    };
-  }
-}
-
 // From the first byte to the last, as from a pipe.
 async function stream(file) {
   const reader = new McapStreamReader({ validateCrcs: true, decompressHandlers });
@@ -89,7 +41,7 @@ async function indexed(file) {
   };
   const reader = await McapIndexedReader.Initialize({ readable, decompressHandlers });
   assert.equal(reader.header.profile, "ros2");
-  const decoders = new Decoders();
+  const decoders = makeDecoders(require);
   const topics = new Map();
   let last = 0n;
   for await (const message of reader.readMessages({ validateCrcs: true })) {
