@@ -38,7 +38,7 @@ void add_foxglove_options(CLI::App& command, FoxgloveOptions& options, bool may_
                       "shows the robot to Foxglove and Lichtblick on this port, 8765 where none is "
                       "given; 0: any, and the address is printed")
           ->expected(0, 1)
-          ->type_name("PORT")
+          ->type_name("[PORT]")
           ->check(CLI::Validator(why_no_port, ""));
   if (may_drive) {
     command

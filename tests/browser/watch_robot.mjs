@@ -18,7 +18,7 @@ const corridor = ["run", "config/tasks/corridor.yaml", "--world", "config/worlds
 
 // A program that tells its address; `ended` is its exit code.
 async function start(words) {
-  const child = spawn(striate, [...words, "--foxglove", "0", "--quiet"], { stdio: ["ignore", "ignore", "pipe"] });
+  const child = spawn(striate, [...words, "--foxglove", "0"], { stdio: ["ignore", "ignore", "pipe"] });
   const ended = once(child, "exit").then(([code]) => code);
   let said = "";
   const url = await new Promise((resolve, reject) => {
@@ -133,7 +133,7 @@ async function tenViewersChangeNothing() {
   const alone = spawn(striate, [...drive, "--quiet", "--result", `${work}/alone.json`, "--record", `${work}/alone.rec`]);
   assert.deepEqual(await once(alone, "exit"), [0, null]);
   const robot = await start(
-    [...drive, "--real-time", "--result", `${work}/seen.json`, "--record", `${work}/seen.rec`]);
+    [...drive, "--quiet", "--real-time", "--result", `${work}/seen.json`, "--record", `${work}/seen.rec`]);
   // One subscribes to all and never reads; one floods.
   const deaf = new WebSocket(robot.url, ["foxglove.sdk.v1"]);
   const flood = new WebSocket(robot.url, ["foxglove.sdk.v1"]);
@@ -157,7 +157,7 @@ async function tenViewersChangeNothing() {
 }
 
 async function aViewerLeads() {
-  const robot = await start([...corridor, "--real-time", "--foxglove-drive"]);
+  const robot = await start([...corridor, "--quiet", "--real-time", "--foxglove-drive"]);
   const viewer = new Viewer(robot.url, "foxglove.websocket.v1", { pictures: false });
   await viewer.until("it moves", () => viewer.all("/odom").at(-1)?.twist.twist.linear.x > 0.2);
   const drivers = () => viewer.all("/striate/wish").at(-1)?.driver;
@@ -190,6 +190,25 @@ async function aViewerLeads() {
   console.log("a viewer drives, pauses, resumes and stops");
 }
 
+async function aRecordingIsHeldAndGoesOn() {
+  const robot = await start(["replay", `${work}/alone.rec`, "--speed", "2"]);
+  const viewer = new Viewer(robot.url, "foxglove.sdk.v1", { pictures: false });
+  const number = () => viewer.all("/striate/cycle").at(-1)?.number;
+  await viewer.until("it runs", () => number() > 3);
+  assert.ok(!viewer.info.capabilities.includes("clientPublish"), "nobody drives a recording");
+  await viewer.call("/striate/pause", "cdr");
+  await new Promise((resolve) => setTimeout(resolve, 300)); // what is under way arrives
+  const held = number();
+  await new Promise((resolve) => setTimeout(resolve, 500)); // ten cycles at this speed
+  assert.equal(number(), held);
+  await viewer.call("/striate/resume", "cdr");
+  assert.equal(await robot.ended, 0, "the decisions are the same");
+  await viewer.ended;
+  assert.equal(viewer.all("/striate/task").at(-1).state, "succeeded");
+  console.log("a recording is shown, held and goes on");
+}
+
 await tenViewersChangeNothing();
+await aRecordingIsHeldAndGoesOn();
 await aViewerLeads();
 process.exit(0);

@@ -44,6 +44,11 @@ void FactsRing::pop() {
   ++emptied_;
 }
 
+std::size_t FactsRing::waiting() const {
+  const std::lock_guard lock(mutex_);
+  return static_cast<std::size_t>(filled_ - emptied_);
+}
+
 std::uint64_t FactsRing::filled() const {
   const std::lock_guard lock(mutex_);
   return filled_;

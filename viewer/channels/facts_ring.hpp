@@ -29,6 +29,8 @@ class FactsRing {
   /// The same, but waits for one; nullptr: nothing follows.
   [[nodiscard]] const CycleFacts* wait_for_front();
   void pop();
+  /// How many wait, that of front() among them.
+  [[nodiscard]] std::size_t waiting() const;
 
   /// Cycles that were put in.
   [[nodiscard]] std::uint64_t filled() const;

@@ -26,6 +26,8 @@ constexpr std::size_t kMostMessageBytes = std::size_t{64} << 10U;
 /// Messages a second, by hand: commands at 50 Hz, and a person who clicks about
 constexpr double kMostRate_hz = 200.0;
 constexpr double kMostAtOnce = 400.0;  // two seconds of them, by hand
+/// That are read of a client, a second, by hand: four of the largest messages
+constexpr std::size_t kMostBytesRead = 4 * kMostMessageBytes;
 /// Of a client that drives, by hand: a fifth of the time that a command may drive
 constexpr auto kPingEvery = std::chrono::milliseconds(100);
 
@@ -46,7 +48,9 @@ ClientSession::ClientSession(asio::ip::tcp::socket socket, Host& host, const Acc
       host_(host),
       rules_(rules),
       clock_(clock),
-      may_join_(std::move(may_join)) {}
+      may_join_(std::move(may_join)) {
+  stream_.next_layer().rate_policy().read_limit(kMostBytesRead);
+}
 
 /// A handler that keeps the session alive, and ends it where the connection or memory fails.
 template <class Handler>

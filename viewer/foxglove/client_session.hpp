@@ -1,8 +1,11 @@
 #pragma once
 
+#include <boost/asio/any_io_executor.hpp>
+#include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/steady_timer.hpp>
+#include <boost/beast/core/basic_stream.hpp>
 #include <boost/beast/core/flat_buffer.hpp>
-#include <boost/beast/core/tcp_stream.hpp>
+#include <boost/beast/core/rate_policy.hpp>
 #include <boost/beast/http/parser.hpp>
 #include <boost/beast/http/string_body.hpp>
 #include <boost/beast/websocket/stream.hpp>
@@ -51,6 +54,10 @@ class ClientSession : public std::enable_shared_from_this<ClientSession> {
 
  private:
   using Error = boost::system::error_code;
+  /// Reads no faster than it may: whatever floods, down to empty frames, waits in its own line.
+  using LimitedStream =
+      boost::beast::basic_stream<boost::asio::ip::tcp, boost::asio::any_io_executor,
+                                 boost::beast::simple_rate_policy>;
   void judge_handshake();
   void refuse(boost::beast::http::status status, const std::string& why);
   void open(std::string_view subprotocol);
@@ -63,7 +70,7 @@ class ClientSession : public std::enable_shared_from_this<ClientSession> {
   template <class Handler>
   [[nodiscard]] auto mine(Handler handler);
 
-  boost::beast::websocket::stream<boost::beast::tcp_stream> stream_;
+  boost::beast::websocket::stream<LimitedStream> stream_;
   boost::asio::steady_timer ping_timer_;
   Host& host_;
   const AccessRules& rules_;

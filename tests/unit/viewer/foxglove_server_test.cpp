@@ -203,6 +203,31 @@ TEST_F(FoxgloveServerTest, AFloodEndsItsOwnConnectionOnly) {
   ASSERT_TRUE(comes_true([&] { return cycle(1), server_.clients() == 1; }));
 }
 
+TEST_F(FoxgloveServerTest, FloodsOfPingsAndEmptyFramesWaitInTheirOwnLine) {
+  // Pings, and a binary message that goes on in empty pieces and never ends.
+  for (const Bytes& frame : {Bytes{0x89, 0x80, 1, 2, 3, 4}, Bytes{0x00, 0x80, 1, 2, 3, 4}}) {
+    Viewer flood(connect());
+    if (frame[0] == 0)
+      asio::write(flood.stream.next_layer(), asio::buffer(Bytes{0x02, 0x80, 1, 2, 3, 4}));
+    Bytes many;
+    for (int k = 0; k < 10'000; ++k) append(many, frame);
+    flood.stream.next_layer().non_blocking(true);
+    std::size_t sent = 0;
+    const auto until = std::chrono::steady_clock::now() + 1s;
+    while (std::chrono::steady_clock::now() < until) {
+      boost::system::error_code full;
+      sent += flood.stream.next_layer().write_some(asio::buffer(many), full);
+      std::this_thread::sleep_for(1ms);
+      Bytes answers(100'000);
+      flood.stream.next_layer().read_some(asio::buffer(answers), full);
+    }
+    // What the line itself holds, and what may be read in the time.
+    EXPECT_LT(sent, std::size_t{16} << 20U);
+    Viewer viewer(connect());
+    EXPECT_EQ(viewer.hear_json()["op"], "serverInfo");
+  }
+}
+
 TEST_F(FoxgloveServerTest, AGiantMessageEndsItsOwnConnectionOnly) {
   Viewer giant(connect());
   try {
