@@ -46,7 +46,7 @@ ProtocolJson definition_of_service(const char* type, const char* schema) {
       {"encoding", "cdr"}, {"schemaName", type}, {"schemaEncoding", "ros2msg"}, {"schema", schema}};
 }
 
-// Reading: every mistake is told by the name of the field.
+// Reading. An error message names the field that is wrong.
 
 const ProtocolJson& field_of(const ProtocolJson& json, const char* name) {
   const auto found = json.find(name);
