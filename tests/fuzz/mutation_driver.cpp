@@ -8,7 +8,8 @@
 
 #include "tests/fuzz/fuzz_target.hpp"
 
-/// fuzz_<name> SECONDS: mutates the target's seeds, always in the same order, for so long.
+/// fuzz_<name> [SECONDS]: mutates the target's seeds, always in the same order, for so long; for
+/// STRIATE_FUZZ_SECONDS where that is set.
 namespace {
 
 /// Of the processor's time, of which a busy machine gives little. An input that takes longer hangs;
@@ -48,7 +49,10 @@ void limit_cpu(unsigned seconds) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  const double seconds = argc > 1 ? std::atof(argv[1]) : 3.0;
+  const char* everywhere = std::getenv("STRIATE_FUZZ_SECONDS");
+  const double seconds = everywhere != nullptr ? std::atof(everywhere)
+                         : argc > 1            ? std::atof(argv[1])
+                                               : 3.0;
   const std::vector<std::string> seeds = striate::fuzz::seeds();
   std::mt19937 random(1);
   const auto begin = std::chrono::steady_clock::now();

@@ -13,7 +13,7 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-constexpr const char* kRun =
+constexpr const char* kShortRun =
     "\"$striate\" run config/tasks/corridor.yaml --world config/worlds/short.yaml --seed 3 ";
 
 /// @return what the mission wrote of itself
@@ -33,7 +33,7 @@ void expect_success(const nlohmann::json& result, const std::string& words) {
 TEST(Reports, AStandardErrorThatCannotBeWrittenEndsNoMission) {
   for (const std::string where : {"2> /dev/full", "2>&-", "2>&1 > /dev/null | true"}) {
     const std::string words =
-        kRun + std::string("--result $r ") + where + "; exit ${PIPESTATUS[0]}";
+        kShortRun + std::string("--result $r ") + where + "; exit ${PIPESTATUS[0]}";
     Ended ended;
     expect_success(result_of(words, ended), words);
     EXPECT_EQ(ended.exit_code, 1) << words;
@@ -42,7 +42,7 @@ TEST(Reports, AStandardErrorThatCannotBeWrittenEndsNoMission) {
 
 TEST(Reports, AStandardOutputThatCannotBeWrittenEndsNoMission) {
   for (const std::string where : {"> /dev/full", ">&-", "--json > /dev/full"}) {
-    const std::string words = kRun + std::string("--result $r ") + where;
+    const std::string words = kShortRun + std::string("--result $r ") + where;
     Ended ended;
     expect_success(result_of(words, ended), words);
     EXPECT_EQ(ended.exit_code, 1) << words;
@@ -52,7 +52,7 @@ TEST(Reports, AStandardOutputThatCannotBeWrittenEndsNoMission) {
 
 TEST(Reports, AnInspectionThatCannotBeWrittenIsSaidOnce) {
   Ended ended;
-  expect_success(result_of(kRun + std::string("--quiet --result $r --inspect /dev/full"), ended),
+  expect_success(result_of(kShortRun + std::string("--quiet --result $r --inspect /dev/full"), ended),
                  "--inspect");
   EXPECT_EQ(ended.exit_code, 1);
   const std::size_t first = ended.err.find("/dev/full: cannot be written");
@@ -62,7 +62,7 @@ TEST(Reports, AnInspectionThatCannotBeWrittenIsSaidOnce) {
 
 TEST(Reports, FilesThatReachTheirLimitEndNoMissionAndAreSaidOnceEach) {
   Ended ended;
-  const std::string words = "ulimit -f 64; " + std::string(kRun) +
+  const std::string words = "ulimit -f 64; " + std::string(kShortRun) +
                             "--quiet --result $r --record $f/r.rec --pictures $f/p "
                             "--picture-every 5 --inspect $f/now.json --mcap $f/r.mcap";
   expect_success(result_of(words, ended), words);
@@ -76,7 +76,7 @@ TEST(Reports, FilesThatReachTheirLimitEndNoMissionAndAreSaidOnceEach) {
 TEST(Reports, AFolderThatIsGoneEndsNoMission) {
   Ended ended;
   const std::string words =
-      kRun +
+      kShortRun +
       std::string(
           "--quiet --result $r --pictures $f/p --picture-every 5 & sleep 2; rm -r $f/p; wait $!");
   expect_success(result_of(words, ended), words);
@@ -87,7 +87,7 @@ TEST(Reports, AFolderThatIsGoneEndsNoMission) {
 /// What is printed must not land in a file that was given the number of a closed stream.
 TEST(Reports, AClosedStandardErrorDoesNotPrintIntoTheMemory) {
   const TemporaryFolder folder;
-  const Ended ended = bash("cd \"" STRIATE_SOURCE_DIR "\"; " + std::string(kRun) + "--memory " +
+  const Ended ended = bash("cd \"" STRIATE_SOURCE_DIR "\"; " + std::string(kShortRun) + "--memory " +
                            (folder / "m.db") + " --record " + (folder / "r.rec") + " 2>&- >&-");
   EXPECT_EQ(ended.exit_code, 1);
   const Ended check = striate({"memory", folder / "m.db", "check"});

@@ -121,22 +121,22 @@ TEST(Median, IsThatOf25PixelsOnEveryInstructionSet) {
 }
 
 TEST(PhaseCosts, AreTheDistancesOf256BitDescriptorsOnEveryInstructionSet) {
-  constexpr int kWidth = 70, kHeight = 9, kDisparities = 16;
+  constexpr int kColumns = 70, kRows = 9, kDisparities = 16;
   V1Cells cells({3.0, 0.3, 1.0, EvenMean::envelope});
   std::array<PhaseCodes, 2> codes;
   for (int eye = 0; eye < 2; ++eye) {
     V1Responses responses;
-    cells.respond(reference::texture({kWidth, kHeight}, eye), 0, true, responses);
+    cells.respond(reference::texture({kColumns, kRows}, eye), 0, true, responses);
     phase_codes(responses, eye * kDisparities, codes[static_cast<std::size_t>(eye)]);
   }
-  const Plane<std::uint8_t> outside = outside_plane(kWidth, kDisparities);
+  const Plane<std::uint8_t> outside = outside_plane(kColumns, kDisparities);
   reference::on_every_target([&](const std::string& name) {
     PhaseCosts phase_costs;
     Volume<std::uint8_t> costs;
-    costs.resize(kHeight, kDisparities, kWidth);
-    for (int y = 0; y < kHeight; ++y) {
+    costs.resize(kRows, kDisparities, kColumns);
+    for (int y = 0; y < kRows; ++y) {
       phase_costs.compute_row({codes[0], codes[1], outside, costs}, y);
-      for (int x = 0; x < kWidth; ++x) {
+      for (int x = 0; x < kColumns; ++x) {
         for (int d = 0; d < kDisparities; ++d) {
           int expected = 0;
           for (const DescriptorPoint& point : kPhasePoints) {
@@ -210,36 +210,36 @@ TEST(SemiGlobal, SumsThePathCostsOfThePlainReferenceOnEveryInstructionSet) {
 }
 
 TEST(FindWinners, NameWinnerRunnerUpAndTheRightImagesWinnerOnEveryInstructionSet) {
-  constexpr int kWidth = 45, kDisparities = 20;
+  constexpr int kColumns = 45, kDisparities = 20;
   Volume<std::uint16_t> steep;
   Volume<std::uint8_t> level, costs;
-  costs.resize(1, kDisparities, kWidth);
-  steep.resize(1, kDisparities, kWidth);
-  level.resize(1, kDisparities, kWidth);
+  costs.resize(1, kDisparities, kColumns);
+  steep.resize(1, kDisparities, kColumns);
+  level.resize(1, kDisparities, kColumns);
   auto sum = [&](int x, int d) {
-    if (x >= kWidth || d > x) return 65535;
+    if (x >= kColumns || d > x) return 65535;
     return hash_noise(x, d, 1) % 900 + 2 * (hash_noise(x, d, 2) % 200);
   };
   for (int d = 0; d < kDisparities; ++d) {
-    for (int x = 0; x < kWidth; ++x) {
+    for (int x = 0; x < kColumns; ++x) {
       steep.line(0)[d * steep.stride() + x] = static_cast<std::uint16_t>(hash_noise(x, d, 1) % 900);
       level.line(0)[d * level.stride() + x] = static_cast<std::uint8_t>(hash_noise(x, d, 2) % 200);
       costs.line(0)[d * costs.stride() + x] = static_cast<std::uint8_t>(hash_noise(x, d, 3));
     }
   }
-  const Plane<std::uint8_t> outside = outside_plane(kWidth, kDisparities + 4);
+  const Plane<std::uint8_t> outside = outside_plane(kColumns, kDisparities + 4);
   reference::on_every_target([&](const std::string& name) {
     Plane<std::uint16_t> sums, rows;
-    sums.resize(kWidth, kDisparities, kDisparities + 64, 0);
-    rows.resize(kWidth, 5, 0, 0);
+    sums.resize(kColumns, kDisparities, kDisparities + 64, 0);
+    rows.resize(kColumns, 5, 0, 0);
     for (int d = 0; d < kDisparities; ++d) {
       std::fill(sums.row(d), sums.row(d) - sums.margin() + sums.stride(), std::uint16_t{65535});
     }
     stereo_kernels::find_winners({steep.line(0), steep.stride(), level.line(0), level.stride(),
-                                  costs.line(0), outside.row(0), kWidth, kDisparities},
+                                  costs.line(0), outside.row(0), kColumns, kDisparities},
                                  {sums.row(0), sums.stride(), rows.row(0), rows.row(1), rows.row(2),
                                   rows.row(3), rows.row(4)});
-    for (int x = 0; x < kWidth; ++x) {
+    for (int x = 0; x < kColumns; ++x) {
       int best = 0, right_best = 0, second = 65535, raw_second = 255;
       for (int d = 1; d < kDisparities; ++d) {
         if (sum(x, d) < sum(x, best)) best = d;

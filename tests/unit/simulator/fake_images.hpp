@@ -30,4 +30,12 @@ inline World straight_world(double length_m = 20.0) {
   return world;
 }
 
+/// The robot stands exactly where the world says that it starts.
+inline SimulatorSettings exact_start() {
+  SimulatorSettings settings;
+  settings.base.start_offset_m = 0.0;
+  settings.base.start_turn_rad = 0.0;
+  return settings;
+}
+
 }  // namespace striate::simulator

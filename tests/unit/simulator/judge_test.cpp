@@ -10,13 +10,6 @@
 namespace striate::simulator {
 namespace {
 
-SimulatorSettings exact() {
-  SimulatorSettings settings;
-  settings.base.start_offset_m = 0.0;
-  settings.base.start_turn_rad = 0.0;
-  return settings;
-}
-
 /// Drives straight past a box that leaves this much room beside the robot.
 const Judge& drive_past(SimulatedPioneer& robot) {
   Senses senses;
@@ -37,7 +30,7 @@ World world_with_box(double clearance_m) {
 }
 
 TEST(Judge, TellsANearMissOnceWithItsPlaceAndClearance) {
-  SimulatedPioneer robot(world_with_box(0.06), 1, exact(), nullptr);
+  SimulatedPioneer robot(world_with_box(0.06), 1, exact_start(), nullptr);
   const Judge& judge = drive_past(robot);
   EXPECT_EQ(judge.outcome(), Verdict::reached_goal);
   ASSERT_EQ(judge.near_misses().size(), 1u);
@@ -50,14 +43,14 @@ TEST(Judge, TellsANearMissOnceWithItsPlaceAndClearance) {
 }
 
 TEST(Judge, AWidePassIsNoNearMiss) {
-  SimulatedPioneer robot(world_with_box(0.2), 1, exact(), nullptr);
+  SimulatedPioneer robot(world_with_box(0.2), 1, exact_start(), nullptr);
   const Judge& judge = drive_past(robot);
   EXPECT_TRUE(judge.near_misses().empty());
   EXPECT_NEAR(judge.nearest_pass_m(), 0.2, 0.002);
 }
 
 TEST(Judge, AGrazeIsACollisionAndNoNearMiss) {
-  SimulatedPioneer robot(world_with_box(-0.03), 1, exact(), nullptr);
+  SimulatedPioneer robot(world_with_box(-0.03), 1, exact_start(), nullptr);
   const Judge& judge = drive_past(robot);
   EXPECT_EQ(judge.outcome(), Verdict::collided);
   ASSERT_EQ(judge.collisions().size(), 1u);
@@ -67,17 +60,17 @@ TEST(Judge, AGrazeIsACollisionAndNoNearMiss) {
 
 TEST(Judge, LessThanTwoMillimetresIsATouchByTheExactDistance) {
   for (const double clearance_m : {0.0005, 0.001, 0.0015}) {
-    SimulatedPioneer robot(world_with_box(clearance_m), 1, exact(), nullptr);
+    SimulatedPioneer robot(world_with_box(clearance_m), 1, exact_start(), nullptr);
     EXPECT_EQ(drive_past(robot).outcome(), Verdict::collided) << clearance_m;
   }
-  SimulatedPioneer robot(world_with_box(0.004), 1, exact(), nullptr);
+  SimulatedPioneer robot(world_with_box(0.004), 1, exact_start(), nullptr);
   const Judge& judge = drive_past(robot);
   EXPECT_EQ(judge.outcome(), Verdict::reached_goal);
   EXPECT_NEAR(judge.nearest_pass_m(), 0.004, 0.001);
 }
 
 TEST(Judge, KeepsThePathForDrawing) {
-  SimulatedPioneer robot(straight_world(10.0), 1, exact(), nullptr);
+  SimulatedPioneer robot(straight_world(10.0), 1, exact_start(), nullptr);
   const Judge& judge = drive_past(robot);
   ASSERT_GT(judge.path().size(), 50u);
   for (std::size_t i = 1; i < judge.path().size(); ++i) {
@@ -90,7 +83,7 @@ TEST(Judge, KeepsThePathForDrawing) {
 TEST(Judge, APersonWhoIsRunDownCountsAsHitAndStanding) {
   World world = straight_world(10.0);
   world.standers.push_back({{5.0, 0.0}, 0.0});
-  SimulatedPioneer robot(world, 1, exact(), nullptr);
+  SimulatedPioneer robot(world, 1, exact_start(), nullptr);
   const Judge& judge = drive_past(robot);
   ASSERT_EQ(judge.collisions().size(), 1u);
   EXPECT_EQ(judge.collisions()[0].hit, "person_1");
@@ -103,7 +96,7 @@ TEST(Judge, MeasuresProgressAlongABentCorridor) {
   world.turns.push_back({3.0, radians(90.0)});
   world.start = {5.0, 0.3, 0.0};
   world.goal_beyond_m = 8.0;
-  SimulatedPioneer robot(world, 1, exact(), nullptr);
+  SimulatedPioneer robot(world, 1, exact_start(), nullptr);
   EXPECT_NEAR(robot.scene().robot.x_m, 2.7, 1e-6);
   EXPECT_NEAR(robot.scene().robot.y_m, 2.0, 1e-6);
   const Judge& judge = drive_past(robot);

@@ -10,13 +10,6 @@
 namespace striate::simulator {
 namespace {
 
-SimulatorSettings exact() {
-  SimulatorSettings settings;
-  settings.base.start_offset_m = 0.0;
-  settings.base.start_turn_rad = 0.0;
-  return settings;
-}
-
 /// Sends the command every cycle for a while; false when the run ended.
 bool drive(SimulatedPioneer& robot, Senses& senses, const MotorCommand& command, int cycles) {
   for (int i = 0; i < cycles; ++i) {
@@ -27,7 +20,7 @@ bool drive(SimulatedPioneer& robot, Senses& senses, const MotorCommand& command,
 }
 
 TEST(SimulatedPioneer, StandsWhereTheWorldSaysUntilItIsTold) {
-  SimulatedPioneer robot(straight_world(), 1, exact(), nullptr);
+  SimulatedPioneer robot(straight_world(), 1, exact_start(), nullptr);
   Senses senses;
   ASSERT_TRUE(drive(robot, senses, {}, 20));
   EXPECT_NEAR(robot.scene().robot.x_m, 1.0, 1e-6);
@@ -38,7 +31,7 @@ TEST(SimulatedPioneer, StandsWhereTheWorldSaysUntilItIsTold) {
 }
 
 TEST(SimulatedPioneer, DrivesOneMetreStraight) {
-  SimulatedPioneer robot(straight_world(), 1, exact(), nullptr);
+  SimulatedPioneer robot(straight_world(), 1, exact_start(), nullptr);
   Senses senses;
   // 0.5 m/s at 0.5 m/s2: half a metre lies in speeding up and slowing down, half a metre between.
   ASSERT_TRUE(drive(robot, senses, {.forward_m_s = 0.5}, 20));
@@ -49,7 +42,7 @@ TEST(SimulatedPioneer, DrivesOneMetreStraight) {
 }
 
 TEST(SimulatedPioneer, TurnsOnTheSpotCounterClockwise) {
-  SimulatedPioneer robot(straight_world(), 1, exact(), nullptr);
+  SimulatedPioneer robot(straight_world(), 1, exact_start(), nullptr);
   Senses senses;
   ASSERT_TRUE(drive(robot, senses, {.turn_rad_s = 0.5}, 20));
   ASSERT_TRUE(drive(robot, senses, {}, 20));
@@ -58,7 +51,7 @@ TEST(SimulatedPioneer, TurnsOnTheSpotCounterClockwise) {
 }
 
 TEST(SimulatedPioneer, StandsWithinTheBrakingWay) {
-  SimulatedPioneer robot(straight_world(), 1, exact(), nullptr);
+  SimulatedPioneer robot(straight_world(), 1, exact_start(), nullptr);
   Senses senses;
   ASSERT_TRUE(drive(robot, senses, {.forward_m_s = 0.75}, 40));
   EXPECT_NEAR(senses.odometry.forward_m_s, 0.75, 0.03);
@@ -71,7 +64,7 @@ TEST(SimulatedPioneer, StandsWithinTheBrakingWay) {
 }
 
 TEST(SimulatedPioneer, StopsByItselfWithoutCommands) {
-  SimulatedPioneer robot(straight_world(), 1, exact(), nullptr);
+  SimulatedPioneer robot(straight_world(), 1, exact_start(), nullptr);
   Senses senses;
   ASSERT_TRUE(drive(robot, senses, {.forward_m_s = 0.4}, 20));
   for (int i = 0; i < 4; ++i) ASSERT_TRUE(robot.sense(senses));
@@ -81,7 +74,7 @@ TEST(SimulatedPioneer, StopsByItselfWithoutCommands) {
 }
 
 TEST(SimulatedPioneer, ACommandThatIsNoNumberStopsTheWheels) {
-  SimulatedPioneer robot(straight_world(), 1, exact(), nullptr);
+  SimulatedPioneer robot(straight_world(), 1, exact_start(), nullptr);
   Senses senses;
   ASSERT_TRUE(drive(robot, senses, {.forward_m_s = 0.4}, 20));
   ASSERT_TRUE(drive(robot, senses, {.forward_m_s = std::nan(""), .pan_rad = std::nan("")}, 20));
@@ -90,7 +83,7 @@ TEST(SimulatedPioneer, ACommandThatIsNoNumberStopsTheWheels) {
 }
 
 TEST(SimulatedPioneer, StopsWhenTheLinkDies) {
-  SimulatorSettings settings = exact();
+  SimulatorSettings settings = exact_start();
   settings.faults.link_stops_at_s = 3.0;
   SimulatedPioneer robot(straight_world(), 1, settings, nullptr);
   Senses senses;
@@ -101,7 +94,7 @@ TEST(SimulatedPioneer, StopsWhenTheLinkDies) {
 }
 
 TEST(SimulatedPioneer, StopNeedsNoSenseAndMayBeCalledTwice) {
-  SimulatedPioneer robot(straight_world(), 1, exact(), nullptr);
+  SimulatedPioneer robot(straight_world(), 1, exact_start(), nullptr);
   Senses senses;
   ASSERT_TRUE(drive(robot, senses, {.forward_m_s = 0.4, .pan_rad = 0.3}, 20));
   robot.stop();
@@ -119,7 +112,7 @@ TEST(SimulatedPioneer, TheBumperEndsTheRunAndTheCollisionIsKept) {
   box.size_x_m = box.size_y_m = box.size_z_m = 0.5;
   world.obstacles.push_back(box);
   FakeImages pictures;
-  SimulatedPioneer robot(world, 1, exact(), &pictures);
+  SimulatedPioneer robot(world, 1, exact_start(), &pictures);
   Senses senses;
   EXPECT_FALSE(drive(robot, senses, {.forward_m_s = 0.5}, 200));
   EXPECT_TRUE(senses.bumper);
@@ -134,7 +127,7 @@ TEST(SimulatedPioneer, TheBumperEndsTheRunAndTheCollisionIsKept) {
 }
 
 TEST(SimulatedPioneer, OneTouchIsOneCollisionAndStallsTheMotors) {
-  SimulatorSettings settings = exact();
+  SimulatorSettings settings = exact_start();
   settings.judge.ends_at_collision = false;
   settings.judge.ends_at_goal = false;
   SimulatedPioneer robot(straight_world(4.0), 1, settings, nullptr);
@@ -153,7 +146,7 @@ TEST(SimulatedPioneer, OneTouchIsOneCollisionAndStallsTheMotors) {
 TEST(SimulatedPioneer, PassingTheGoalLineEndsTheRun) {
   World world = straight_world();
   world.goal_beyond_m = 3.0;
-  SimulatedPioneer robot(world, 1, exact(), nullptr);
+  SimulatedPioneer robot(world, 1, exact_start(), nullptr);
   Senses senses;
   EXPECT_FALSE(drive(robot, senses, {.forward_m_s = 0.5}, 100));
   EXPECT_EQ(robot.judge().outcome(), Verdict::reached_goal);
@@ -163,7 +156,7 @@ TEST(SimulatedPioneer, PassingTheGoalLineEndsTheRun) {
 }
 
 TEST(SimulatedPioneer, TheTimeLimitEndsTheRun) {
-  SimulatorSettings settings = exact();
+  SimulatorSettings settings = exact_start();
   settings.judge.time_limit_s = 2.0;
   SimulatedPioneer robot(straight_world(), 1, settings, nullptr);
   Senses senses;
@@ -174,7 +167,7 @@ TEST(SimulatedPioneer, TheTimeLimitEndsTheRun) {
 
 TEST(SimulatedPioneer, ImagesArriveLateWithTheStampOfTheirLight) {
   FakeImages pictures;
-  SimulatedPioneer robot(straight_world(), 1, exact(), &pictures);
+  SimulatedPioneer robot(straight_world(), 1, exact_start(), &pictures);
   Senses senses;
   ASSERT_TRUE(robot.sense(senses));
   ASSERT_TRUE(robot.sense(senses));
@@ -188,7 +181,7 @@ TEST(SimulatedPioneer, ImagesArriveLateWithTheStampOfTheirLight) {
 
 TEST(SimulatedPioneer, AnImageKnowsWhereTheHeadLooked) {
   FakeImages pictures;
-  SimulatedPioneer robot(straight_world(), 1, exact(), &pictures);
+  SimulatedPioneer robot(straight_world(), 1, exact_start(), &pictures);
   Senses senses;
   ASSERT_TRUE(drive(robot, senses, {.pan_rad = 1.0, .tilt_rad = -0.2}, 4));
   const SceneState& scene = pictures.scenes[senses.stereo.left(0, 0)[0]];
@@ -202,7 +195,7 @@ TEST(SimulatedPioneer, AnImageKnowsWhereTheHeadLooked) {
 }
 
 TEST(SimulatedPioneer, NoImageComesAfterTheCameraHasStopped) {
-  SimulatorSettings settings = exact();
+  SimulatorSettings settings = exact_start();
   settings.faults.camera_stops_at_s = 1.0;
   settings.faults.camera_returns_at_s = 3.0;
   FakeImages pictures;
@@ -216,7 +209,7 @@ TEST(SimulatedPioneer, NoImageComesAfterTheCameraHasStopped) {
 }
 
 TEST(SimulatedPioneer, LosesTheShareOfImagesThatItIsToldTo) {
-  SimulatorSettings settings = exact();
+  SimulatorSettings settings = exact_start();
   settings.faults.image_loss = 0.3;
   FakeImages pictures;
   SimulatedPioneer robot(straight_world(), 5, settings, &pictures);
@@ -226,7 +219,7 @@ TEST(SimulatedPioneer, LosesTheShareOfImagesThatItIsToldTo) {
 }
 
 TEST(SimulatedPioneer, TheBatterySinks) {
-  SimulatedPioneer robot(straight_world(), 1, exact(), nullptr);
+  SimulatedPioneer robot(straight_world(), 1, exact_start(), nullptr);
   Senses senses;
   ASSERT_TRUE(robot.sense(senses));
   const double first = senses.battery_v;

@@ -10,10 +10,9 @@
 
 /// Our CDR against eProsima's Fast CDR, which ROS 2 itself writes with: each message's fields are
 /// listed here once more, by hand, from its public definition.
-namespace striate::viewer {
+namespace striate::viewer::msgs {
 namespace {
 
-using namespace msgs;
 using eprosima::fastcdr::Cdr;
 
 template <class T>
@@ -288,4 +287,4 @@ TEST(RosSchema, NamesEachTypeOnceBehindALineOfEqualSigns) {
 }
 
 }  // namespace
-}  // namespace striate::viewer
+}  // namespace striate::viewer::msgs
