@@ -11,8 +11,6 @@
 namespace striate::scenarios {
 namespace {
 
-const std::string kRoot = std::string(STRIATE_SOURCE_DIR "/");
-
 agent::MissionOptions corridor_task() {
   agent::MissionOptions options;
   options.task = kRoot + "config/tasks/corridor.yaml";

@@ -7,12 +7,11 @@
 #include "striate/agent/mission.hpp"
 #include "striate/agent/simulated_body.hpp"
 #include "striate/platform/simulator/static_shapes.hpp"
+#include "tests/scenarios/striate_process.hpp"
 
 /// Robots of other sizes drive the short corridor by vision alone, by their YAML and nothing else.
 namespace striate::scenarios {
 namespace {
-
-const std::string kRoot = std::string(STRIATE_SOURCE_DIR "/");
 
 agent::MissionOptions by_vision_alone(const std::string& robot_file) {
   agent::MissionOptions options;

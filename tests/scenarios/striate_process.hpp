@@ -34,6 +34,8 @@ inline std::string read_text(const std::string& file) {
 
 using reference::TemporaryFolder;
 
+inline const std::string kRoot = STRIATE_SOURCE_DIR "/";  ///< of the source tree
+
 /// What comes of it in a process of its own, in the source tree, with its outputs in files.
 /// @param become what the process does; it must not return
 /// @param signal_after when not zero, SIGINT is sent after this time.

@@ -14,8 +14,6 @@ namespace {
 
 using testing::HasSubstr;
 
-const std::string kRoot = std::string(STRIATE_SOURCE_DIR "/");
-
 agent::MissionOptions mission_of(const std::string& task) {
   agent::MissionOptions options;
   options.task = kRoot + "config/tasks/" + task;

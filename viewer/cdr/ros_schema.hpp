@@ -25,7 +25,7 @@ class RosSchemaWriter {
     writer.describe<Message>(0);
     std::string text = writer.types_.front().second;
     for (std::size_t k = 1; k < writer.types_.size(); ++k) {
-      text += std::string(80, '=') + "\nMSG: " + writer.types_[k].first + "\n";
+      text.append(80, '=').append("\nMSG: ").append(writer.types_[k].first) += '\n';
       text += writer.types_[k].second;
     }
     return text;

@@ -19,12 +19,12 @@ namespace {
 using reference::BoardCamera;
 
 constexpr Chessboard kBoard{8, 5, 0.04};
-const cv::Size kSize(480, 360);
+const cv::Size kPhoto_px(480, 360);
 
 /// Two lenses that bulge, of slightly different length, slightly turned against each other.
 pioneer::StereoCalibration true_cameras() {
   pioneer::StereoCalibration truth;
-  truth.size_px = kSize;
+  truth.size_px = kPhoto_px;
   truth.left.matrix = {610.0, 0.0, 236.0, 0.0, 608.0, 183.0, 0.0, 0.0, 1.0};
   truth.left.distortion = {-0.18, 0.12, 0.0, 0.0, 0.0};
   truth.right.matrix = {604.0, 0.0, 245.0, 0.0, 603.0, 176.0, 0.0, 0.0, 1.0};
@@ -45,8 +45,8 @@ struct Images {
 const Images& boards() {
   static const Images pictures = [] {
     const pioneer::StereoCalibration truth = true_cameras();
-    const BoardCamera left(truth.left, kSize);
-    const BoardCamera right(truth.right, kSize);
+    const BoardCamera left(truth.left, kPhoto_px);
+    const BoardCamera right(truth.right, kPhoto_px);
     Images result;
     for (int i = 0; i < 14; ++i) {
       const double z_m = 0.85 + 0.1 * (i % 4);
@@ -82,7 +82,7 @@ const std::vector<BoardPair>& found() {
 TEST(CalibrateStereo, FindsTheCamerasThatDrewTheBoards) {
   const auto& pairs = found();
   ASSERT_GE(pairs.size(), 12u);
-  const CalibrationReport report = calibrate_stereo(pairs, kBoard, kSize);
+  const CalibrationReport report = calibrate_stereo(pairs, kBoard, kPhoto_px);
   const pioneer::StereoCalibration& calibration = report.calibration;
   const pioneer::StereoCalibration truth = true_cameras();
   RecordProperty("reprojection_px", std::to_string(calibration.reprojection_px));
@@ -102,8 +102,8 @@ TEST(CalibrateStereo, FindsTheCamerasThatDrewTheBoards) {
 TEST(CalibrateStereo, ItsFileRectifiesTheImagesItWasMadeFrom) {
   const reference::TemporaryFolder folder;
   const std::string file = folder / "stereo.yaml";
-  pioneer::write_calibration(file, calibrate_stereo(found(), kBoard, kSize).calibration);
-  pioneer::Rectifier rectifier(pioneer::read_calibration(file), kSize.width);
+  pioneer::write_calibration(file, calibrate_stereo(found(), kBoard, kPhoto_px).calibration);
+  pioneer::Rectifier rectifier(pioneer::read_calibration(file), kPhoto_px.width);
   int compared = 0;
   for (std::size_t i = 0; i < boards().left.size(); ++i) {
     cv::Mat3b left;
@@ -153,7 +153,7 @@ TEST(CalibrateStereo, PairsThatWereNotTakenAtOneMomentAreNamedAndSpoilNothing) {
   for (const std::vector<std::size_t>& wrong : {std::vector<std::size_t>{4}, {0}, {2, 7, 9, 11}}) {
     std::vector<BoardPair> pairs = named_pairs();
     for (const std::size_t i : wrong) take_right_from(pairs, i, (i + 1) % pairs.size());
-    const CalibrationReport report = calibrate_stereo(pairs, kBoard, kSize);
+    const CalibrationReport report = calibrate_stereo(pairs, kBoard, kPhoto_px);
     EXPECT_LT(report.calibration.reprojection_px, 0.15);
     EXPECT_NEAR(cv::norm(report.calibration.translation_m), baseline_m, 0.001);
     std::vector<std::string> left_out;
@@ -171,7 +171,7 @@ TEST(CalibrateStereo, PairsThatWereNotTakenAtOneMomentAreNamedAndSpoilNothing) {
 TEST(CalibrateStereo, ABoardThatSlippedALittleIsLeftOutToo) {
   std::vector<BoardPair> pairs = named_pairs();
   for (cv::Point2f& corner : pairs[3].right_px) corner += cv::Point2f(0.0F, 2.5F);
-  const CalibrationReport report = calibrate_stereo(pairs, kBoard, kSize);
+  const CalibrationReport report = calibrate_stereo(pairs, kBoard, kPhoto_px);
   ASSERT_EQ(report.left_out.size(), 1U);
   EXPECT_EQ(report.left_out.front().name, "p3");
   EXPECT_LT(report.calibration.epipolar_px, 0.15);
@@ -180,7 +180,7 @@ TEST(CalibrateStereo, ABoardThatSlippedALittleIsLeftOutToo) {
 TEST(CalibrateStereo, CornersOfOneEyeThatFitNoLensAreLeftOut) {
   std::vector<BoardPair> pairs = named_pairs();
   for (std::size_t k = 0; k < 8; ++k) pairs[6].left_px[k] += cv::Point2f(9.0F, -7.0F);
-  const CalibrationReport report = calibrate_stereo(pairs, kBoard, kSize);
+  const CalibrationReport report = calibrate_stereo(pairs, kBoard, kPhoto_px);
   ASSERT_EQ(report.left_out.size(), 1U);
   EXPECT_EQ(report.left_out.front().name, "p6");
   EXPECT_NEAR(report.calibration.left.matrix(0, 0), 610.0, 6.0);
@@ -190,7 +190,7 @@ TEST(CalibrateStereo, WhereAllRightImagesCameLateNothingIsMadeOfThem) {
   std::vector<BoardPair> pairs = named_pairs();
   for (std::size_t i = 0; i < pairs.size(); ++i) take_right_from(pairs, i, (i + 1) % pairs.size());
   try {
-    (void)calibrate_stereo(pairs, kBoard, kSize);
+    (void)calibrate_stereo(pairs, kBoard, kPhoto_px);
     ADD_FAILURE() << "late images were not noticed";
   } catch (const UserError& error) {
     EXPECT_THAT(error.what(), testing::HasSubstr("same moment"));
@@ -202,7 +202,7 @@ TEST(CalibrateStereo, WhereTooFewAgreeThoseThatDoNotAreNamed) {
   pairs.resize(5);
   take_right_from(pairs, 2, 3);
   try {
-    (void)calibrate_stereo(pairs, kBoard, kSize);
+    (void)calibrate_stereo(pairs, kBoard, kPhoto_px);
     ADD_FAILURE() << "four pairs were enough";
   } catch (const UserError& error) {
     EXPECT_THAT(error.what(), testing::HasSubstr("These do not: p2"));
@@ -225,12 +225,12 @@ std::vector<BoardPair> blurred_pairs(double by_px) {
 }
 
 TEST(CalibrateStereo, CornersThatErrByAPixelMakeAPoorOneAndByFiveNone) {
-  const CalibrationReport report = calibrate_stereo(blurred_pairs(1.0), kBoard, kSize);
+  const CalibrationReport report = calibrate_stereo(blurred_pairs(1.0), kBoard, kPhoto_px);
   EXPECT_EQ(pioneer::exactness_of(report.calibration), pioneer::Exactness::poor)
       << pioneer::error_px(report.calibration);
   EXPECT_THAT(worst_of(report.pairs), testing::ContainsRegex("p[0-9]+ \\([0-9.]+ px\\), p"));
   try {
-    (void)calibrate_stereo(blurred_pairs(5.0), kBoard, kSize);
+    (void)calibrate_stereo(blurred_pairs(5.0), kBoard, kPhoto_px);
     ADD_FAILURE() << "a calibration with which nothing can be matched";
   } catch (const UserError& error) {
     EXPECT_THAT(error.what(), testing::HasSubstr("moment"));
@@ -266,10 +266,10 @@ TEST(StereoCalibration, IsJudgedByTheErrorsThatStandInIt) {
 TEST(CalibrateStereo, TellsWhatIsMissing) {
   std::vector<BoardPair> pairs = found();
   std::vector<BoardPair> few(pairs.begin(), pairs.begin() + 3);
-  EXPECT_THROW((void)calibrate_stereo(few, kBoard, kSize), UserError);
+  EXPECT_THROW((void)calibrate_stereo(few, kBoard, kPhoto_px), UserError);
   for (BoardPair& pair : pairs) std::swap(pair.left_px, pair.right_px);
   try {
-    (void)calibrate_stereo(pairs, kBoard, kSize);
+    (void)calibrate_stereo(pairs, kBoard, kPhoto_px);
     ADD_FAILURE() << "exchanged eyes were not noticed";
   } catch (const UserError& error) {
     EXPECT_THAT(error.what(), testing::HasSubstr("--swap"));
