@@ -52,8 +52,9 @@ TEST(Reports, AStandardOutputThatCannotBeWrittenEndsNoMission) {
 
 TEST(Reports, AnInspectionThatCannotBeWrittenIsSaidOnce) {
   Ended ended;
-  expect_success(result_of(kShortRun + std::string("--quiet --result $r --inspect /dev/full"), ended),
-                 "--inspect");
+  expect_success(
+      result_of(kShortRun + std::string("--quiet --result $r --inspect /dev/full"), ended),
+      "--inspect");
   EXPECT_EQ(ended.exit_code, 1);
   const std::size_t first = ended.err.find("/dev/full: cannot be written");
   EXPECT_NE(first, std::string::npos) << ended.err;
@@ -87,8 +88,9 @@ TEST(Reports, AFolderThatIsGoneEndsNoMission) {
 /// What is printed must not land in a file that was given the number of a closed stream.
 TEST(Reports, AClosedStandardErrorDoesNotPrintIntoTheMemory) {
   const TemporaryFolder folder;
-  const Ended ended = bash("cd \"" STRIATE_SOURCE_DIR "\"; " + std::string(kShortRun) + "--memory " +
-                           (folder / "m.db") + " --record " + (folder / "r.rec") + " 2>&- >&-");
+  const Ended ended =
+      bash("cd \"" STRIATE_SOURCE_DIR "\"; " + std::string(kShortRun) + "--memory " +
+           (folder / "m.db") + " --record " + (folder / "r.rec") + " 2>&- >&-");
   EXPECT_EQ(ended.exit_code, 1);
   const Ended check = striate({"memory", folder / "m.db", "check"});
   EXPECT_EQ(check.exit_code, 0) << check.out << check.err;

@@ -195,8 +195,9 @@ TEST(ServedDevices, TheMissionStandsWhileTheCameraIsBlind) {
       std::this_thread::sleep_for(5ms);
     }
   });
-  const Ended run = striate(
-      {"run", "config/tasks/corridor.yaml", "--robot", folder / "robot.yaml", "--quiet"}, 12s);
+  const Ended run =
+      striate({"run", "config/tasks/corridor.yaml", "--robot", folder / "robot.yaml", "--quiet"},
+              {12s, {}});
   ended = true;
   watcher.join();
   EXPECT_EQ(run.exit_code, 130) << run.err << run.out;
@@ -253,7 +254,8 @@ TEST(ServedDevices, AnLms200IsDrivenByItsDriver) {
 TEST(SimCommand, WarnsWhereEverybodyOnTheNetworkMayDrive) {
   const auto serve = [](const std::string& address) {
     return striate(
-        {"sim", "config/worlds/short.yaml", "--serve", "--port", "0", "--listen", address}, 1500ms);
+        {"sim", "config/worlds/short.yaml", "--serve", "--port", "0", "--listen", address},
+        {{}, "turret"});
   };
   EXPECT_THAT(serve("0.0.0.0").err, testing::HasSubstr("everybody on the network"));
   EXPECT_EQ(serve("127.0.0.1").err, "");

@@ -36,11 +36,24 @@ using reference::TemporaryFolder;
 
 inline const std::string kRoot = STRIATE_SOURCE_DIR "/";  ///< of the source tree
 
+/// When a program is sent SIGINT; never, without either.
+struct Interrupt {
+  std::chrono::milliseconds after{};
+  std::string once_it_says;  ///< to its standard output; however long a busy machine takes for it
+};
+
+inline void interrupt(pid_t child, const Interrupt& when, const std::string& out_file) {
+  if (when.after.count() == 0 && when.once_it_says.empty()) return;
+  for (int i = 0; i < 600 && read_text(out_file).find(when.once_it_says) == std::string::npos; ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  std::this_thread::sleep_for(when.after);
+  kill(child, SIGINT);
+}
+
 /// What comes of it in a process of its own, in the source tree, with its outputs in files.
 /// @param become what the process does; it must not return
-/// @param signal_after when not zero, SIGINT is sent after this time.
 template <typename Become>
-Ended ended(const Become& become, std::chrono::milliseconds signal_after = {}) {
+Ended ended(const Become& become, const Interrupt& when = {}) {
   const TemporaryFolder folder;
   const std::string out_file = folder / "out";
   const std::string err_file = folder / "err";
@@ -54,10 +67,7 @@ Ended ended(const Become& become, std::chrono::milliseconds signal_after = {}) {
     become();
     _exit(98);
   }
-  if (signal_after.count() > 0) {
-    std::this_thread::sleep_for(signal_after);
-    kill(child, SIGINT);
-  }
+  interrupt(child, when, out_file);
   int status = 0;
   waitpid(child, &status, 0);
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_text(out_file), read_text(err_file)};
@@ -71,18 +81,15 @@ inline std::vector<char*> pointers_to(std::vector<std::string>& words) {
 }
 
 /// Runs a program in the source tree.
-inline Ended run_program(std::vector<std::string> words,
-                         std::chrono::milliseconds signal_after = {}) {
+inline Ended run_program(std::vector<std::string> words, const Interrupt& when = {}) {
   const std::vector<char*> argv = pointers_to(words);
-  return ended([&] { execv(argv[0], argv.data()); }, signal_after);
+  return ended([&] { execv(argv[0], argv.data()); }, when);
 }
 
-/// @param signal_after when not zero, SIGINT is sent after this time.
-inline Ended striate(const std::vector<std::string>& arguments,
-                     std::chrono::milliseconds signal_after = {}) {
+inline Ended striate(const std::vector<std::string>& arguments, const Interrupt& when = {}) {
   std::vector<std::string> words = {STRIATE_BINARY};
   words.insert(words.end(), arguments.begin(), arguments.end());
-  return run_program(std::move(words), signal_after);
+  return run_program(std::move(words), when);
 }
 
 /// Lines of bash, in which "$striate" is the command.
