@@ -14,7 +14,7 @@ file(CREATE_LINK ${PROJECT_SOURCE_DIR}/config ${PROJECT_BINARY_DIR}/config SYMBO
 
 function(striate_layer name folder allowed)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${folder}/*.cpp)
-  list(REMOVE_ITEM sources ${PROJECT_SOURCE_DIR}/app/main.cpp)
+  list(REMOVE_ITEM sources ${PROJECT_SOURCE_DIR}/app/main.cpp ${PROJECT_SOURCE_DIR}/app/late_opencv.cpp)
   if(NOT STRIATE_ROS_FOUND)
     list(FILTER sources EXCLUDE REGEX "/(platform|agent|app)/ros/")
   endif()

@@ -15,6 +15,7 @@
 #include "striate/agent/simulated_body.hpp"
 #include "striate/app/commands/run_report.hpp"
 #include "striate/app/interrupt.hpp"
+#include "striate/app/late_opencv.hpp"
 #include "striate/app/operator_reset.hpp"
 #include "striate/app/pace.hpp"
 #include "striate/app/pair_watch.hpp"
@@ -224,6 +225,7 @@ int run_mission(const RunOptions& options, const agent::BodySource& body) {
   const Interrupt interrupt;
   MissionFiles files(options);
   agent::Mission mission(asked, body);
+  if (mission.simulated() == nullptr || options.real_time) load_opencv_codecs();
   if (!options.quiet) say(stderr, mission.notices());
   Watchers watchers(options, mission, files);
   if (options.at_begin) options.at_begin(mission);

@@ -7,6 +7,7 @@
 
 #include "striate/agent/robot_settings.hpp"
 #include "striate/app/interrupt.hpp"
+#include "striate/app/late_opencv.hpp"
 #include "striate/base/say.hpp"
 #include "striate/base/user_error.hpp"
 #include "striate/platform/pioneer/robot_model.hpp"
@@ -114,6 +115,7 @@ void ServeOptions::check() const {
 }
 
 int serve(const ServeOptions& options) {
+  load_opencv_codecs();
   const simulator::World world = simulator::load_world(options.world);
   const agent::RobotSettings settings = agent::load_robot_settings(options.robot);
   served::ServedDevices devices;
