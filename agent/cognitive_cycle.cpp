@@ -88,10 +88,10 @@ bool CognitiveCycle::step() {
   const behaviours::Claim chosen =
       arbiter_.decide({task.claim, claim_of_pilot(senses.now)}, senses.now);
 
-  // Move: one gate to the motors; what was really sent is remembered.
+  // Move: one gate to the motors; what was really sent is remembered, and what held it back.
   const behaviours::Limited sent = limiter_.limit(chosen.wish, senses, memory);
   robot_.send(sent.command);
-  memory_.remember(sent.command, task.doing);
+  memory_.remember(sent.command, task.doing, sent.held_by);
 
   trace_.percept = std::move(percept);
   trace_.sightings = recognised.sightings;

@@ -25,6 +25,12 @@ constexpr double kTurns_rad_s = 0.05;
 constexpr double kStopsBelow = 0.05;    // by hand: share of the speed that is called a stop
 constexpr double kOldImageLeast = 0.2;  // by hand: share of the speed, until it is too old
 constexpr double kSteppedIn = 0.5;  // by hand: took more than half of the speed, as README.md says
+// By hand: what holds the robot is nearer than it is slowed for at a creep, and comes nearer by
+// more than a laser's noise in a look ahead of so long.
+constexpr double kHolds_m = 0.30;
+constexpr double kHoldsLook_s = 0.3;
+// What is touched may be anywhere along the bumper: points a patch of the map apart, a patch off.
+constexpr double kTouches_m = 0.05;
 constexpr double kLongestStep_s = 0.5;  // by hand, five cycles: after a pause no leap of speed
 
 double outer_speed(double forward_m_s, double turn_rad_s, double radius_m) {
@@ -37,6 +43,7 @@ SafetyLimiter::SafetyLimiter(const SafetyLimiterSettings& settings, const RobotD
     : settings_(settings), robot_(robot), footprint_(robot) {
   remembered_.reserve(4096);
   echoes_.reserve(1024);
+  held_by_.reserve(1024);
 }
 
 void SafetyLimiter::Scale::lower(double to, LimitReason why) {
@@ -149,11 +156,32 @@ void SafetyLimiter::limit_by_emergency(const Motion& motion, const Senses& sense
   }
   const bool moves =
       std::abs(motion.forward_m_s) > kMoves_m_s || std::abs(motion.turn_rad_s) > kTurns_rad_s;
-  const bool active = moves && emergency.reason != LimitReason::stalled &&
-                      emergency.factor < kSteppedIn * scale.factor;
+  const bool holds = moves && emergency.factor < kSteppedIn * scale.factor;
+  const bool active = holds && emergency.reason != LimitReason::stalled;
   if (active && !emergency_active_) ++emergency_stops_;
   emergency_active_ = active;
+  if (holds) note_what_holds(motion, emergency.reason != LimitReason::emergency_range);
   scale = emergency;
+}
+
+/// The echoes that the motion leads to; of a touch, all of the end that leads.
+void SafetyLimiter::note_what_holds(const Motion& motion, bool touches) {
+  if (touches) {
+    const double end_m =
+        motion.forward_m_s < 0.0 ? -robot_.rear_m - kTouches_m : robot_.front_m + kTouches_m;
+    for (double y = -robot_.half_width_m; y <= robot_.half_width_m; y += kTouches_m) {
+      held_by_.push_back({end_m, y});
+    }
+    return;
+  }
+  const Pose2 soon = along_arc({}, motion.forward_m_s, motion.turn_rad_s, kHoldsLook_s);
+  for (const Point2& echo : echoes_) {
+    const double now_m = footprint_.distance_m(echo);
+    if (now_m > kHolds_m || now_m < kInside_m) continue;
+    if (footprint_.distance_m(inverse_transform(soon, echo)) < now_m - kDeeper_m) {
+      held_by_.push_back(echo);
+    }
+  }
 }
 
 MotorCommand SafetyLimiter::accelerate(const Motion& wanted, Duration step) const {
@@ -179,6 +207,7 @@ Limited SafetyLimiter::limit(const Wish& wish, const Senses& senses,
   };
   const Motion wanted{sane(wish.forward_m_s, robot_.max_forward_m_s),
                       sane(wish.turn_rad_s, robot_.max_turn_rad_s)};
+  held_by_.clear();
   Scale scale;
   limit_by_state(wanted, senses, memory, scale);
   if (to_seconds(senses.now - wish.stamp) > settings_.lease_s) {
@@ -197,7 +226,7 @@ Limited SafetyLimiter::limit(const Wish& wish, const Senses& senses,
   last_time_ = senses.now;
   first_ = false;
   const bool only_that = gathers_speed && scale.reason == LimitReason::none;
-  return {command, only_that ? LimitReason::acceleration : scale.reason};
+  return {command, only_that ? LimitReason::acceleration : scale.reason, held_by_};
 }
 
 const char* name_of(LimitReason reason) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "striate/base/limits.hpp"
@@ -72,6 +73,8 @@ enum class LimitReason : std::uint8_t {
 struct Limited {
   MotorCommand command;
   LimitReason reason = LimitReason::none;
+  /// What the emergency layer stepped in for, robot frame; valid until the next call.
+  std::span<const Point2> held_by;
 };
 
 /// The last and only gate to the motors. It may only slow down or stop, never add motion; and it
@@ -108,6 +111,7 @@ class SafetyLimiter {
   void limit_by_state(const Motion& motion, const Senses& senses,
                       const memory::ShortTermMemory& memory, Scale& scale);
   void limit_by_emergency(const Motion& motion, const Senses& senses, Scale& scale);
+  void note_what_holds(const Motion& motion, bool touches);
   [[nodiscard]] MotorCommand accelerate(const Motion& wanted, Duration step) const;
 
   SafetyLimiterSettings settings_;
@@ -115,6 +119,7 @@ class SafetyLimiter {
   Footprint footprint_;
   std::vector<Point2> remembered_;
   std::vector<Point2> echoes_;
+  std::vector<Point2> held_by_;
   Motion last_;
   TimePoint last_time_{};
   bool first_ = true;

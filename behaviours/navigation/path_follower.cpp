@@ -19,25 +19,15 @@ constexpr double kGlanceDown_rad = -0.42;
 // By hand: the head is down for the first moment, and again for so long where much is unknown.
 constexpr Duration kFirstLookDown = std::chrono::milliseconds(700);
 constexpr double kLookDownFor_s = 0.6;
-constexpr double kMuchUnknown = 0.3;  // by hand: share of the next two metres
-// By hand: five parts of 0.8 s (left high, left low, right high, right low, ahead); the turret
-// turns 1.6 rad in each.
-constexpr double kLookSweep_s = 4.0;
-// With half the view (0.375 rad) everything within 73 degrees to either side is seen.
-constexpr double kSweep_rad = 0.9;
+constexpr double kMuchUnknown = 0.3;    // by hand: share of the next two metres
 constexpr double kHeadTurn_rad = 0.6;   // by hand: standing, the eyes may leave the lane
 constexpr double kDrives_m_s = 0.1;     // by hand: faster than this the narrow limit holds
 constexpr double kGazeAhead_m = 1.8;    // by hand: the point of the way that is looked at
 constexpr double kNearestGaze_m = 0.3;  // by hand: nearer, its bearing would leap
-// By hand, looked at on `striate trial` in corridor_a to c: people pass within some seconds; what
-// stands still does not.
+// By hand, looked at on `striate trial` in corridor_a to c: people pass within some seconds.
 constexpr double kMoverPatience_s = 5.0;
-constexpr double kStillPatience_s = 1.0;
-constexpr double kWaitLane_m = 1.2;    // half the 2.4 m of the shipped corridors: all of it
-constexpr double kImpossible_s = 0.6;  // by hand, six cycles: a flicker of the map is no trouble
-constexpr double kStaysOpen_s = 0.5;   // by hand, five cycles: a gap that flickers is none
-constexpr double kGrace_s = 0.5;       // by hand: after backing or waiting no arc is needed sooner
-constexpr double kStart_m = 0.5;       // by hand: the first way, over floor never in view
+constexpr double kImpossible_s = 0.6;     // by hand, six cycles: a flicker of the map is no trouble
+constexpr double kStart_m = 0.5;          // by hand: the first way, over floor never in view
 constexpr double kForgivenAfter_m = 1.0;  // by hand: headway that makes old troubles forgotten
 constexpr double kUnstuck_m = 0.25;       // by hand: less headway is to and fro on the spot
 // By hand: from the third trouble on 0.06 m of margin become 0.024 m, half a patch of the map.
@@ -45,20 +35,8 @@ constexpr int kTightAfter = 2;
 constexpr double kTightShare = 0.4;
 // By hand: steering may come nearer than the planned way, which is laid in whole cells.
 constexpr double kSteeringShare = 0.6;
-// By hand: so long it wishes to move and stands; TraverseCorridor.BacksOutSoonWhereItIsHeld...
-constexpr double kHeld_s = 3.0;
-constexpr double kStands_m_s = 0.015;        // by hand: slower than this it stands
-constexpr double kStands_rad_s = 0.03;       // by hand: the same for turning
 constexpr double kLeastSpeed_m_s = 0.03;     // by hand: a slower wish gets nowhere; it waits
 constexpr double kClearlySlower_m_s = 0.05;  // by hand: than the cruise: worth a reason
-// Backing, by hand: slowly, since no eye looks there; the outline is tried 0.15 m on (1.5 s at
-// 0.1 m/s), more than it rolls on in a latency of 0.35 s and a stop (0.06 m).
-constexpr double kBackSpeed_m_s = 0.12;
-constexpr double kBackLook_m_s = -0.1;
-constexpr double kBackLook_s = 1.5;
-constexpr double kBackClear_m = 0.03;
-constexpr double kBackLongest_s = 5.0;  // by hand: 0.35 m take 2.9 s at this speed
-
 }  // namespace
 
 PathFollower::PathFollower(const DrivingSettings& settings, const RobotDescription& robot)
@@ -87,6 +65,7 @@ void PathFollower::start(const memory::ShortTermMemory& memory) {
 
 void PathFollower::enter(State state, const memory::ShortTermMemory& memory) {
   state_ = state;
+  back_m_ = settings_.back_m;
   entered_ = memory.now();
   free_to_move_at_ = memory.now();
   entered_pose_ = memory.pose();
@@ -134,6 +113,9 @@ Wish PathFollower::tick(const memory::ShortTermMemory& memory, const Course& cou
   if (troubles_ >= settings_.tries) {
     return final_wish(memory, Progress::failed,
                       short_format("no way through after {} tries in one place", troubles_));
+  }
+  if ((state_ == State::driving || state_ == State::waiting) && feels_something(memory)) {
+    leave_what_was_felt(memory);
   }
   switch (state_) {
     case State::waiting:
@@ -203,23 +185,6 @@ Wish PathFollower::drive(const memory::ShortTermMemory& memory, const Course& co
   return wish;
 }
 
-// The limiter counts a remembered thing nearer than steering does, and has the last word: what
-// steering finds clear it may refuse for ever.
-bool PathFollower::is_held(const memory::ShortTermMemory& memory) {
-  const bool moves =
-      std::abs(memory.forward_m_s()) > kStands_m_s || std::abs(memory.turn_rad_s()) > kStands_rad_s;
-  if (moves) free_to_move_at_ = memory.now();
-  return to_seconds(memory.now() - free_to_move_at_) > kHeld_s;
-}
-
-void PathFollower::note_trouble(const memory::ShortTermMemory& memory) {
-  ++troubles_;
-  trouble_headway_m_ = headway_m_;
-  planner_.forget_choice();
-  best_headway_at_ = memory.now();
-  best_headway_m_ = headway_m_;
-}
-
 Drive PathFollower::steer(const memory::ShortTermMemory& memory, const Course& course,
                           double speed_m_s) const {
   return steering_.follow(planner_.way(), field_, memory.pose(),
@@ -243,53 +208,6 @@ void PathFollower::aim_head(const memory::ShortTermMemory& memory, const SpeedLi
   wish.tilt_rad = memory.now() >= look_down_until_ ? robot_.resting_tilt_rad
                   : starts                         ? look_down_rad_
                                                    : glance_down_rad_;
-}
-
-Wish PathFollower::wait(const memory::ShortTermMemory& memory, const Course& course) {
-  const double since_s = since_entered_s(memory);
-  // A way that opens for a moment is noise: it has to stay open.
-  if (path_is_open() && since_s > kStaysOpen_s) {
-    impossible_since_ = memory.now() + from_seconds(kGrace_s);
-    const Drive drive = steer(memory, course, settings_.speed_limit.narrow_m_s);
-    if (drive.possible) enter(State::driving, memory);
-  }
-  // Only what moves is worth waiting for.
-  const bool something_moves = std::isfinite(nearest_mover(memory, kWaitLane_m).distance_m);
-  if (since_s > (something_moves ? settings_.patience_s : kStillPatience_s)) {
-    enter(State::looking, memory);
-  }
-  Wish wish = standing_wish(memory, short_format("waits: the way is blocked, {:.0f} s", since_s));
-  wish.tilt_rad = glance_down_rad_;
-  return wish;
-}
-
-Wish PathFollower::look(const memory::ShortTermMemory& memory) {
-  const double since_s = since_entered_s(memory);
-  Wish wish = standing_wish(memory, "looks round for a gap");
-  const double phase = since_s / kLookSweep_s;
-  wish.pan_rad = phase < 0.4 ? kSweep_rad : (phase < 0.8 ? -kSweep_rad : 0.0);
-  const bool far = phase < 0.2 || (phase > 0.4 && phase < 0.6);
-  wish.tilt_rad = far ? robot_.resting_tilt_rad : look_down_rad_;
-  if (phase < 1.0) return wish;
-  note_trouble(memory);
-  enter(troubles_ % 2 == 0 || !path_is_open() ? State::backing : State::driving, memory);
-  return wish;
-}
-
-Wish PathFollower::back(const memory::ShortTermMemory& memory) {
-  Wish wish = standing_wish(memory, "backs out");
-  const Point2 moved =
-      inverse_transform(entered_pose_, Point2{memory.pose().x_m, memory.pose().y_m});
-  const Pose2 behind = along_arc(memory.pose(), kBackLook_m_s, 0.0, kBackLook_s);
-  const bool clear = steering_.footprint().clearance_m(field_, behind) > kBackClear_m &&
-                     free_behind_m(memory, robot_) > kRoomBehind_m;
-  if (-moved.x_m >= settings_.back_m || !clear || since_entered_s(memory) > kBackLongest_s) {
-    impossible_since_ = memory.now() + from_seconds(kGrace_s);
-    enter(path_is_open() ? State::driving : State::waiting, memory);
-    return wish;
-  }
-  wish.forward_m_s = -kBackSpeed_m_s;
-  return wish;
 }
 
 }  // namespace striate::behaviours

@@ -74,6 +74,9 @@ class PathFollower {
   Wish look(const memory::ShortTermMemory& memory);
   Wish back(const memory::ShortTermMemory& memory);
   [[nodiscard]] bool is_held(const memory::ShortTermMemory& memory);
+  [[nodiscard]] bool feels_something(const memory::ShortTermMemory& memory) const;
+  [[nodiscard]] bool may_back_to(const Pose2& behind, const memory::ShortTermMemory& memory) const;
+  void leave_what_was_felt(const memory::ShortTermMemory& memory);
   void note_trouble(const memory::ShortTermMemory& memory);
   void enter(State state, const memory::ShortTermMemory& memory);
   [[nodiscard]] bool path_is_open() const;
@@ -93,6 +96,7 @@ class PathFollower {
   State state_ = State::driving;
   TimePoint entered_{};
   Pose2 entered_pose_;
+  double back_m_ = 0.0;  ///< so far it backs out this time
   int troubles_ = 0;
   double headway_m_ = 0.0;
   double best_headway_m_ = 0.0;

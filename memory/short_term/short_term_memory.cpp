@@ -36,6 +36,8 @@ const ShortTermMemory& ShortTermMemory::update(const Senses& senses,
   const TimePoint before = now_;
   feel(senses);
   if (percept.valid && (!image_seen_ || percept.stamp > image_stamp_)) see(percept);
+  felt_.forget_where([this](Point2 place) { return is_under_robot(place); });
+  felt_.keep_in(grid_, now_);
   clear_own_place();
   fade();
   salient_.attend(head_.pan_rad, now_, now_ - before);
@@ -119,6 +121,12 @@ void ShortTermMemory::see(const perception::Percept& percept) {
   salient_.see(regions_now_, focal_px > 0.0 ? 1.0 / focal_px : 0.0, percept.stamp);
 }
 
+bool ShortTermMemory::is_under_robot(Point2 place) const {
+  const Point2 here = inverse_transform(pose_, place);
+  return here.x_m < robot_.front_m && here.x_m > -robot_.rear_m &&
+         std::abs(here.y_m) < robot_.half_width_m;
+}
+
 // Where the robot stands, nothing else does.
 void ShortTermMemory::clear_own_place() {
   const double reach_m = std::hypot(robot_.rear_m, robot_.half_width_m) + LocalGrid::kCell_m;
@@ -126,11 +134,7 @@ void ShortTermMemory::clear_own_place() {
   const GridCell middle = LocalGrid::cell_of({pose_.x_m, pose_.y_m});
   for (int y = middle.y - reach; y <= middle.y + reach; ++y) {
     for (int x = middle.x - reach; x <= middle.x + reach; ++x) {
-      const Point2 place = inverse_transform(pose_, LocalGrid::centre_of({x, y}));
-      if (place.x_m < robot_.front_m && place.x_m > -robot_.rear_m &&
-          std::abs(place.y_m) < robot_.half_width_m) {
-        grid_.clear({x, y}, now_);
-      }
+      if (is_under_robot(LocalGrid::centre_of({x, y}))) grid_.clear({x, y}, now_);
     }
   }
 }
@@ -176,7 +180,9 @@ void ShortTermMemory::close_map(bool failed) {
   place_.keep_all(grid_);
 }
 
-void ShortTermMemory::remember(const MotorCommand& sent, std::string_view doing) {
+void ShortTermMemory::remember(const MotorCommand& sent, std::string_view doing,
+                               std::span<const Point2> held_by) {
+  for (const Point2& place : held_by) felt_.feel(transform(pose_, place), now_);
   SentCommand& entry = sent_[next_sent_];
   entry.stamp = now_;
   entry.command = sent;

@@ -10,6 +10,7 @@
 #include "striate/memory/localisation/localisation.hpp"
 #include "striate/memory/short_term/blank_view.hpp"
 #include "striate/memory/short_term/corridor_memory.hpp"
+#include "striate/memory/short_term/felt_things.hpp"
 #include "striate/memory/short_term/landmark_memory.hpp"
 #include "striate/memory/short_term/local_grid.hpp"
 #include "striate/memory/short_term/occupancy_updater.hpp"
@@ -86,7 +87,9 @@ class ShortTermMemory {
   /// The mission is over: what the map still holds goes with the next news.
   void close_map(bool failed);
   /// The efference copy: what really went to the motors, and which behaviour wanted it.
-  void remember(const MotorCommand& sent, std::string_view doing);
+  /// @param held_by what the robot was stopped for without having seen it; robot frame
+  void remember(const MotorCommand& sent, std::string_view doing,
+                std::span<const Point2> held_by = {});
   /// A landmark was recognised in the image of `sighting.stamp`.
   void recognise(const LandmarkSighting& sighting);
   /// Long-term memory knows a landmark's place; in the odometry frame of this run.
@@ -105,6 +108,8 @@ class ShortTermMemory {
   [[nodiscard]] double battery_v() const { return battery_v_; }
   [[nodiscard]] bool bumper() const { return bumper_; }
   [[nodiscard]] bool stalled() const { return stalled_; }
+  /// When the robot was last stopped by what it had not seen; long ago where it never was.
+  [[nodiscard]] TimePoint felt_at() const { return felt_.last(); }
   [[nodiscard]] double distance_travelled_m() const { return travelled_m_; }
   /// Path along the corridor's axis since the start; back is negative.
   [[nodiscard]] double progress_m() const { return corridor_.progress_m(); }
@@ -145,12 +150,14 @@ class ShortTermMemory {
   void fade();
   void fit_walls();
   void clear_own_place();
+  [[nodiscard]] bool is_under_robot(Point2 place) const;
 
   ShortTermMemorySettings settings_;
   RobotDescription robot_;
   LocalGrid grid_;
   OccupancyUpdater occupancy_;
   BlankView blank_view_;
+  FeltThings felt_;
   OdometryHistory history_;
   CorridorMemory corridor_;
   WallFitter wall_fitter_;

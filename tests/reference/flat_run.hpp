@@ -53,7 +53,7 @@ class Loop {
         cycles < 2 ? behaviours::standing_wish(memory, "waits for eyes") : behaviour.tick(memory);
     arbiter.offer(behaviours::MotorOwner::behaviour, wish);
     limited = limiter.limit(arbiter.decide(senses.now), senses, memory);
-    memory.remember(limited.command, name);
+    memory.remember(limited.command, name, limited.held_by);
     world.send(held ? MotorCommand{} : limited.command);
     return wish;
   }

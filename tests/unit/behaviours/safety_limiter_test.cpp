@@ -29,6 +29,7 @@ class Limiter : public testing::Test {
     wish.stamp = looks::at_ms(ms - wish_age_ms);
     const Limited limited = limiter.limit(wish, senses, memory);
     reason = limited.reason;
+    held_by.assign(limited.held_by.begin(), limited.held_by.end());
     return limited.command;
   }
   MotorCommand settle(double forward_m_s, double turn_rad_s,
@@ -52,6 +53,7 @@ class Limiter : public testing::Test {
   SafetyLimiter limiter{settings, robot};
   Senses senses;
   LimitReason reason = LimitReason::none;  ///< of the last cycle
+  std::vector<Point2> held_by;             ///< of the last cycle
   int ms = 0;
   int image_age_ms = 100;
   int wish_age_ms = 0;
@@ -238,6 +240,33 @@ TEST_F(Limiter, NonsenseIsNoMotion) {
   const MotorCommand command = settle(nan, std::numeric_limits<double>::infinity());
   EXPECT_EQ(command.forward_m_s, 0.0);
   EXPECT_EQ(command.turn_rad_s, 0.0);
+}
+
+TEST_F(Limiter, SaysWhatTheEmergencyLayerSteppedInFor) {
+  settle(0.3, 0.0);
+  EXPECT_TRUE(held_by.empty());
+  senses.laser.readings = {{0.0, 0.27}, {0.9, 0.9}, {3.0, 0.4}};  // ahead, to the side, behind
+  settle(0.3, 0.0);
+  EXPECT_EQ(reason, LimitReason::emergency_range);
+  ASSERT_EQ(held_by.size(), 1U);
+  EXPECT_NEAR(held_by[0].x_m, 0.27, 1e-9);
+  EXPECT_NEAR(held_by[0].y_m, 0.0, 1e-9);
+  settle(-0.1, 0.0);
+  EXPECT_TRUE(held_by.empty()) << "it may leave";
+  settle(0.0, 0.0);
+  EXPECT_TRUE(held_by.empty()) << "it does not want to move";
+}
+
+TEST_F(Limiter, WhatTheBumperTouchesIsAllAcrossTheEndThatLeads) {
+  settle(0.2, 0.0);
+  senses.bumper = true;
+  cycle(0.2, 0.0);
+  EXPECT_EQ(reason, LimitReason::bumper);
+  ASSERT_GT(held_by.size(), 4U);
+  for (const Point2& place : held_by) {
+    EXPECT_GT(place.x_m, robot.front_m);
+    EXPECT_LE(std::abs(place.y_m), robot.half_width_m + 1e-9);
+  }
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 #include "tests/reference/looks.hpp"
@@ -104,6 +105,53 @@ TEST_F(ShortTermMemoryTest, APersonOutOfViewIsForgottenInSeconds) {
   }
   see_box(4);  // somebody stepped in
   ASSERT_EQ(at(memory, 2.0, 0.0), CellState::occupied);
+  idle(100);
+  EXPECT_NE(at(memory, 2.0, 0.0), CellState::occupied);
+}
+
+TEST_F(ShortTermMemoryTest, WhatStoppedTheRobotUnseenIsHeldAgainstTheEyesForHalfAMinute) {
+  const auto see_floor_only = [this](int cycles) {
+    for (int i = 0; i < cycles; ++i) {
+      perception::Percept floor = looks::blank_percept(ms += 100);
+      looks::see_floor(floor, 0.3, 4.5);
+      memory.update(senses_at(ms, pose), floor);
+    }
+  };
+  see_floor_only(10);
+  const std::array<Point2, 1> echo{Point2{0.6, 0.1}};
+  memory.remember({}, "traverse_corridor", echo);
+  see_floor_only(290);
+  EXPECT_EQ(at(memory, 0.6, 0.1), CellState::occupied);
+  EXPECT_TRUE(memory.map().stands(LocalGrid::cell_of({0.6, 0.1})));
+  see_floor_only(20);
+  EXPECT_EQ(at(memory, 0.6, 0.1), CellState::free) << "then the eyes are believed again";
+}
+
+TEST_F(ShortTermMemoryTest, WhatStoppedTheRobotStaysWhereItIsAndIsNotWhereTheRobotStands) {
+  idle(1);
+  pose = {1.0, 0.5, 0.5 * 3.14159265};
+  idle(1);
+  const std::array<Point2, 1> echo{Point2{0.4, 0.0}};
+  memory.remember({}, "traverse_corridor", echo);
+  pose = {0.2, 0.0, 0.0};
+  idle(5);
+  EXPECT_EQ(at(memory, 1.0, 0.9), CellState::occupied);
+  pose = {1.0, 0.9, 0.0};
+  idle(1);
+  pose = {2.0, 0.9, 0.0};
+  idle(1);
+  EXPECT_EQ(at(memory, 1.0, 0.9), CellState::free) << "the robot has stood there";
+}
+
+TEST_F(ShortTermMemoryTest, SomebodyWhoWasSeenToComeIsNotHeldOnToWhenTheyStopTheRobot) {
+  for (int i = 0; i < 6; ++i) {
+    perception::Percept empty = looks::blank_percept(ms += 100);
+    looks::see_floor(empty, 0.9, 4.5);
+    memory.update(senses_at(ms, pose), empty);
+  }
+  see_box(4);  // somebody stepped in
+  const std::array<Point2, 1> echo{Point2{2.0, 0.0}};
+  memory.remember({}, "traverse_corridor", echo);
   idle(100);
   EXPECT_NE(at(memory, 2.0, 0.0), CellState::occupied);
 }
