@@ -16,7 +16,7 @@ using config::SourceLocation;
 using config::Unit;
 
 std::string metres(double length_m) {
-  return fmt::format("{:g} m", std::round(length_m * 1000) / 1000);
+  return fmt::format("{:g} m", std::round(length_m * 1000) / 1000 + 0.0);  // no -0
 }
 
 WorldEntry::WorldEntry(const config::Node& node, const std::string& what, const World& world,
