@@ -18,6 +18,7 @@ enum class Purpose : std::uint64_t {
   step_in_front,
   battery,
   line_faults,
+  building,
 };
 
 class Random {
