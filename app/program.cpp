@@ -32,6 +32,8 @@ constexpr const char* kAbout =
     "      drives the simulated Pioneer down a 60 m corridor\n"
     "  striate sim corridor_a --picture view.png --at \"12 m, 0.2 m, 5 deg\"\n"
     "      shows what the robot sees at a place of a world\n"
+    "  striate world --random --seed 7\n"
+    "      draws a building to drive in; 'striate world FILE' describes one\n"
     "  striate sim corridor_a --serve\n"
     "      offers the simulated Pioneer on TCP to any ARCOS client; 'striate drive' is one\n"
     "  striate perceive --left L.png --right R.png --out DIR\n"
@@ -84,6 +86,7 @@ int run(int argc, char** argv) {
   add_trial_command(app, exit_code);
   add_perceive_command(app, exit_code);
   add_sim_command(app, exit_code);
+  add_world_command(app, exit_code);
   add_task_command(app, exit_code);
   add_drive_command(app, exit_code);
   add_calibrate_command(app, exit_code);

@@ -7,11 +7,13 @@
 #include "striate/app/command_line/whole_number.hpp"
 #include "striate/app/commands/commands.hpp"
 #include "striate/app/plugin_option.hpp"
+#include "striate/app/trial/drawn_worlds.hpp"
 #include "striate/app/trial/object_trial.hpp"
 #include "striate/app/trial/trial.hpp"
 #include "striate/app/trial/trial_merge.hpp"
 #include "striate/base/files.hpp"
 #include "striate/base/user_error.hpp"
+#include "striate/platform/simulator/random_world/building_kind.hpp"
 
 namespace striate::app {
 namespace {
@@ -68,10 +70,23 @@ int run_objects(const TrialOptions& given, ObjectTrialOptions options) {
   return run_object_trial(options);
 }
 
+void add_random_worlds(CLI::App& command, DrawnWorldsOptions& drawn) {
+  CLI::Option* seeds =
+      command
+          .add_option("--random-worlds", drawn.seeds,
+                      "instead of --worlds: the buildings that 'striate world --random' draws from "
+                      "these seeds, e.g. 1..200; each is driven with its own seed")
+          ->type_name("FROM..TO")
+          ->excludes(command.get_option("--worlds"));
+  command.add_option("--kind", drawn.kind, "of these buildings; without it one after the other")
+      ->needs(seeds)
+      ->check(CLI::IsMember(simulator::building_kinds()));
+}
+
 void check_given(const TrialOptions& options) {
   if (!options.worlds.empty() && !options.out.empty()) return;
   throw UserError(
-      "a trial needs --worlds and --out\n"
+      "a trial needs --worlds or --random-worlds, and --out\n"
       "    e.g. striate trial --worlds corridor_a --runs 20 --out out/trial");
 }
 
@@ -87,22 +102,28 @@ void add_trial_command(CLI::App& app, int& exit_code) {
       "trial",
       "Runs a mission many times in several worlds and prints the table of successes.\n"
       "A trial that was stopped goes on where it was when the same command is given again.\n"
-      "Example: striate trial --worlds corridor_a,corridor_b "
-      "--runs 20 --jobs 2 --out out/trial");
+      "Examples: striate trial --worlds corridor_a,corridor_b "
+      "--runs 20 --jobs 2 --out out/trial\n"
+      "          striate trial --random-worlds 1..200 --no-emergency --jobs 2 --out out/tuning");
   command->add_option("--worlds", options->worlds, "world files, separated by commas")
       ->delimiter(',');
+  auto drawn = std::make_shared<DrawnWorldsOptions>();
+  add_random_worlds(*command, *drawn);
   command->add_option("--task", options->task, "the task script")->capture_default_str();
   command->add_option("--robot", options->robot, "settings of the robot and its mind");
   const auto plugins = add_plugin_option(*command);
   command->add_option("--memory", options->memory,
                       "the long-term memory that each run begins with; a run works on a copy");
-  command->add_option("--runs", options->runs, "runs of each world; each has its own seed")
+  command
+      ->add_option("--runs", options->runs,
+                   "runs of each world; each has its own seed; of a drawn world 1 unless said")
       ->check(CLI::Range(1, 10000))
       ->capture_default_str();
   command->add_option("--jobs", options->jobs, "how many runs at once")
       ->check(CLI::Range(1, 256))
       ->capture_default_str();
   command->add_option("--first-seed", options->first_seed, "seed of the first run")
+      ->excludes(command->get_option("--random-worlds"))
       ->check(whole_number_from(0))
       ->capture_default_str();
   command->add_option("--out", options->out, "folder for runs.csv, table.md and the results")
@@ -122,8 +143,8 @@ void add_trial_command(CLI::App& app, int& exit_code) {
   CLI::Option* instead = command->add_flag("--objects", *of_objects,
                                            "instead: teaches eight objects in one world and seeks "
                                            "them in another; --out is all it needs");
-  for (const char* unused : {"--task", "--plugin", "--memory", "--runs", "--jobs", "--shard",
-                             "--no-emergency", "--baseline"}) {
+  for (const char* unused : {"--random-worlds", "--task", "--plugin", "--memory", "--runs",
+                             "--jobs", "--shard", "--no-emergency", "--baseline"}) {
     instead->excludes(command->get_option(unused));
   }
   command->add_option("--only", objects->only, "with --objects: these, separated by commas")
@@ -138,6 +159,10 @@ void add_trial_command(CLI::App& app, int& exit_code) {
     if (*of_objects) {
       exit_code = run_objects(*options, *objects);
       return;
+    }
+    if (!drawn->seeds.empty()) {
+      if (command->count("--runs") == 0) options->runs = 1;
+      draw_trial_worlds(*drawn, *options);
     }
     check_given(*options);
     read_shard(*shard, *options);

@@ -9,9 +9,11 @@
 #include <set>
 
 #include "striate/agent/run_result.hpp"
+#include "striate/app/trial/trial_plan.hpp"
 #include "striate/app/trial/trial_table.hpp"
 #include "striate/base/files.hpp"
 #include "striate/base/user_error.hpp"
+#include "striate/platform/simulator/random_world/random_world.hpp"
 
 namespace striate::app {
 namespace {
@@ -53,13 +55,20 @@ using Runs = std::map<Key, Found>;
 /// Of a world in a trial: a row with more is a typing error
 constexpr std::uint64_t kMostRuns = 10000;
 
-/// Runs that came to no end, and holes: a trial gives every world the same seeds in a row.
+/// The runs of a drawn building begin with its own seed: with that they are counted from 0 here.
+std::uint64_t first_seed_of(const std::string& world) {
+  const auto drawn = simulator::drawn_from(world_name(world.substr(0, world.find(", "))));
+  return drawn ? drawn->seed : 0;
+}
+
+/// Runs that came to no end, and holes: a trial gives every world the same seeds in a row, every
+/// drawn building as many from its own on.
 std::set<Key> missing_runs(const Runs& all, std::set<Key> unfinished) {
-  std::set<std::string> worlds;
+  std::map<std::string, std::uint64_t> worlds;  // with what their seeds count from
   std::set<std::uint64_t> seeds;
   const auto note = [&](const Key& key) {
-    worlds.insert(key.first);
-    seeds.insert(key.second);
+    const std::uint64_t first = worlds.emplace(key.first, first_seed_of(key.first)).first->second;
+    seeds.insert(key.second - first);
   };
   for (const auto& [key, found] : all) note(key);
   for (const Key& key : unfinished) note(key);
@@ -67,8 +76,8 @@ std::set<Key> missing_runs(const Runs& all, std::set<Key> unfinished) {
     const std::uint64_t last = *seeds.rbegin();
     for (std::uint64_t seed = *seeds.begin(); seed != last; ++seed) seeds.insert(seed);
   }
-  for (const std::string& world : worlds) {
-    for (const std::uint64_t seed : seeds) unfinished.insert({world, seed});
+  for (const auto& [world, first] : worlds) {
+    for (const std::uint64_t seed : seeds) unfinished.insert({world, first + seed});
   }
   for (const auto& [key, found] : all) unfinished.erase(key);
   return unfinished;

@@ -17,10 +17,13 @@ std::string row_name(const std::string& file, const std::string& baseline) {
 std::vector<TrialRun> plan_trial(const TrialOptions& options) {
   std::vector<TrialRun> runs;
   int number = 0;
-  for (const std::string& world : options.worlds) {
+  for (std::size_t which = 0; which < options.worlds.size(); ++which) {
+    const std::string& world = options.worlds[which];
+    const std::uint64_t first =
+        options.world_seeds.empty() ? options.first_seed : options.world_seeds[which];
     for (int i = 0; i < options.runs; ++i) {
       if (number++ % options.shards != options.shard - 1) continue;
-      const std::uint64_t seed = options.first_seed + static_cast<std::uint64_t>(i);
+      const std::uint64_t seed = first + static_cast<std::uint64_t>(i);
       const std::string file =
           fmt::format("{}/runs/{}_seed{:03d}.json", options.out, world_name(world), seed);
       runs.push_back({world, seed, file});

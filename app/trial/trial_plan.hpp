@@ -9,6 +9,8 @@ namespace striate::app {
 /// What `striate trial` is asked for.
 struct TrialOptions {
   std::vector<std::string> worlds;
+  /// Of each world the seed of its first run, where they differ; empty: `first_seed` for all.
+  std::vector<std::uint64_t> world_seeds;
   std::string task = "config/tasks/corridor.yaml";
   std::string robot;   ///< settings file; empty: the built-in defaults
   std::string memory;  ///< what each run begins with, in a copy of its own; empty: none

@@ -10,6 +10,7 @@
 #include "striate/app/trial/trial_plan.hpp"
 #include "striate/base/plain_text.hpp"
 #include "striate/base/shell_text.hpp"
+#include "striate/platform/simulator/random_world/random_world.hpp"
 
 namespace striate::app {
 namespace {
@@ -44,6 +45,14 @@ void add(Row& row, const agent::RunResult& result) {
   row.time_s += result.duration_s;
   row.distance_m += result.distance_m;
   row.nearest_m = std::min(row.nearest_m, result.nearest_pass_m);
+}
+
+/// Of a drawn building its kind: a table of hundreds of buildings says something by kind alone.
+std::string table_name(const agent::RunResult& result) {
+  const auto drawn = simulator::drawn_from(world_name(result.world));
+  if (!drawn) return row_name(result.world, result.baseline);
+  const std::string& kind = simulator::building_kinds()[static_cast<std::size_t>(drawn->kind)];
+  return row_name(kind + ", drawn", result.baseline);
 }
 
 std::string paper_of(const std::string& name) {
@@ -158,7 +167,7 @@ std::string trial_table(const std::vector<agent::RunResult>& results) {
   std::vector<Row> rows;
   std::map<std::string, Row> totals;  // of each baseline
   for (const agent::RunResult& result : results) {
-    const std::string name = row_name(result.world, result.baseline);
+    const std::string name = table_name(result);
     auto row = std::find_if(rows.begin(), rows.end(), [&](const Row& r) { return r.name == name; });
     if (row == rows.end()) {
       rows.push_back({});
