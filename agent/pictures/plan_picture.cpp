@@ -25,6 +25,8 @@ constexpr int kLeastWidth_px = 1110;  // the legend needs it
 constexpr int kClear_px = 2;          // px around words and lines (ours)
 const cv::Scalar kPlanInk(60, 50, 45);
 const cv::Scalar kObstacle(90, 125, 170);
+const cv::Scalar kDrop(40, 40, 50);           // a hole in the floor
+const cv::Scalar kFloorPatch(205, 195, 175);  // carpet, water
 const cv::Scalar kPeople(190, 120, 60);
 const cv::Scalar kNear(0, 140, 255);
 const cv::Scalar kHit(0, 0, 220);
@@ -169,7 +171,17 @@ class Strip {
 void draw_world(Strip& strip, const simulator::World& world, const FloorPlan& plan,
                 const simulator::ImageSource* light) {
   strip.floor(plan, light);
-  for (const simulator::StaticShape& thing : simulator::standing_shapes(world, plan)) {
+  for (const simulator::FloorPatch& patch : world.floor_patches) {
+    Pose2 middle = plan.at(patch.at.x_m, patch.at.y_m);
+    middle.heading_rad += patch.turn_rad;
+    strip.shape(simulator::rectangle(middle, patch.size_x_m, patch.size_y_m), kFloorPatch);
+    strip.text({middle.x_m, middle.y_m}, patch.material, kPlanInk);
+  }
+  for (const simulator::StaticShape& thing : simulator::drops(world, plan)) {
+    strip.shape(thing.shape, kDrop);
+    strip.text(thing.middle, thing.name + " down", kPlanInk);
+  }
+  for (const simulator::StaticShape& thing : simulator::solid_shapes(world, plan)) {
     strip.shape(thing.shape, kObstacle);
     strip.text(thing.middle, thing.name, kPlanInk);
   }

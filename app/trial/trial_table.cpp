@@ -116,9 +116,15 @@ std::string causes(const std::vector<agent::RunResult>& results) {
       continue;
     }
     const agent::CollisionRecord& hit = result.collisions.front();
+    const char* light = hit.light_level < 0.3 ? "in the dark" : "in light";
+    constexpr std::string_view kFell = "drop of ";  // as the judge says it
+    if (hit.hit.rfind(kFell, 0) == 0) {
+      ++counts[fmt::format("fell down {}, {}", without_number(hit.hit.substr(kFell.size())),
+                           light)];
+      continue;
+    }
     ++counts[fmt::format("touched {}, {}, {}", without_number(hit.hit),
-                         hit.moving ? "moving" : "still",
-                         hit.light_level < 0.3 ? "in the dark" : "in light")];
+                         hit.moving ? "moving" : "still", light)];
   }
   std::string text;
   for (const auto& [cause, count] : counts) text += fmt::format("- {} x {}\n", count, cause);

@@ -1,6 +1,7 @@
 #include "striate/platform/simulator/judge.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "striate/platform/simulator/obstacle_shapes.hpp"
@@ -23,13 +24,17 @@ constexpr double kPeoplePeriod_s = 0.5;  ///< between noted places of people: a 
 constexpr double kAlmostDue_s = 1e-9;    ///< sums of 10 ms are not exact: a nanosecond is there
 /// Faster than this a thing counts as moving when it was hit: a tenth of a slow walk (ours)
 constexpr double kMoving_m_s = 0.05;
+/// Where the base stands on the floor, from the axle, m: the wheels of a P3-DX are 0.33 m apart,
+/// its castor runs 0.2 m behind. One of them over an edge, and it goes down.
+constexpr std::array<Point2, 3> kWheels{{{0.0, 0.165}, {0.0, -0.165}, {-0.2, 0.0}}};
 
 }  // namespace
 
 Judge::Judge(const World& world, const FloorPlan& plan, const RobotDescription& robot,
              const JudgeSettings& settings)
     : plan_(plan),
-      things_(standing_shapes(world, plan)),
+      things_(solid_shapes(world, plan)),
+      drops_(drops(world, plan)),
       footprint_(robot_footprint(robot)),
       settings_(settings),
       goal_beyond_m_(world.goal_beyond_m) {
@@ -37,7 +42,7 @@ Judge::Judge(const World& world, const FloorPlan& plan, const RobotDescription& 
 }
 
 void Judge::add_obstacles(const World& new_ones) {
-  for (StaticShape& thing : standing_shapes(new_ones, plan_)) things_.push_back(std::move(thing));
+  for (StaticShape& thing : solid_shapes(new_ones, plan_)) things_.push_back(std::move(thing));
 }
 
 void Judge::look(double now_s, const Physics& physics, const People& people,
@@ -51,6 +56,7 @@ void Judge::look(double now_s, const Physics& physics, const People& people,
   if (touches.empty() && nearest.clearance_m < kTouching_m) {
     touches.push_back({nearest.name, nearest.moving});
   }
+  if (const std::string drop = fallen_into(); !drop.empty()) touches.push_back({drop, false});
   note_touches(now_s, touches, light);
   forward_m_s_ = physics.forward_m_s();
   if (!touches.empty()) {
@@ -94,6 +100,16 @@ void Judge::note_touches(double now_s, const std::vector<Touch>& touches,
         light != nullptr ? light->light_level({now_.pose.x_m, now_.pose.y_m}) : 1.0;
     collisions_.push_back({now_s, at.x_m, at.y_m, touch.name, touch.moving, level, forward_m_s_});
   }
+}
+
+std::string Judge::fallen_into() const {
+  for (const StaticShape& drop : drops_) {
+    for (const Point2 wheel : kWheels) {
+      const ConvexShape contact = disc(transform(now_.pose, wheel), 0.0);
+      if (distance_m(contact, drop.shape) <= 0.0) return "drop of " + drop.name;
+    }
+  }
+  return "";
 }
 
 Judge::Nearest Judge::nearest_thing(const People& people) const {

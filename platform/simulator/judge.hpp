@@ -20,7 +20,8 @@ struct Collision {
   double time_s = 0.0;
   double along_m = 0.0;  ///< where the axle was, in corridor coordinates
   double left_m = 0.0;
-  std::string hit;           ///< "wall", "pillar_1", "table_1", "person_2"
+  /// "wall", "pillar_1", "table_1", "person_2"; "drop of stairs_1": it has fallen down there
+  std::string hit;
   bool moving = false;       ///< what was hit moved
   double light_level = 1.0;  ///< there
   double forward_m_s = 0.0;  ///< the robot's speed when it touched
@@ -82,12 +83,15 @@ class Judge {
   void note_path(double now_s, const Physics& physics, const People& people);
   void note_touches(double now_s, const std::vector<Touch>& touches, const ImageSource* light);
   void note_touching();
+  /// The stairs that a wheel has gone over the edge of; "": none.
+  [[nodiscard]] std::string fallen_into() const;
   void note_clearance(double now_s, const Nearest& nearest);
   [[nodiscard]] Nearest nearest_thing(const People& people) const;
   void decide(double now_s);
 
   FloorPlan plan_;
   std::vector<StaticShape> things_;
+  std::vector<StaticShape> drops_;
   ConvexShape footprint_;
   JudgeSettings settings_;
   double goal_beyond_m_;

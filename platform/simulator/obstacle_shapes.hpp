@@ -38,9 +38,20 @@ using Footprint = std::vector<Point2>;
       return {0.6, 0.6, 1.3};
     case ObstacleKind::bin:
       return {0.36, 0.36, 0.6};
+    case ObstacleKind::wall:
+      return {1.0, 0.2, 2.7};
+    case ObstacleKind::glass:
+      return {1.0, 0.05, 2.05};
+    case ObstacleKind::stairs:
+      return {1.8, 1.2, 1.4};
+    case ObstacleKind::sitter:
+      return {0.76, 0.5, 1.28};
   }
   return {};
 }
+
+/// Of a glass pane's frame: posts at its two ends, as wide as this.
+inline constexpr double kGlassPost_m = 0.05;
 
 /// The size of this very obstacle: what the world says, else the kind's own.
 [[nodiscard]] inline ObstacleSize size_of(const WorldObstacle& obstacle) {

@@ -249,6 +249,7 @@ void People::publish(double dt_s) {
     body.at = {passer.at.x_m - passer.velocity_x_m_s * dt_s,
                passer.at.y_m - passer.velocity_y_m_s * dt_s};
     slots_[slot] = walker->state();
+    slots_[slot].carries = slot < walks_.size() && world_.walks[slot].carries;
   }
 }
 

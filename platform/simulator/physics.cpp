@@ -19,6 +19,7 @@ constexpr std::uint16_t kTouchable = 1;
 constexpr std::uint16_t kSeen = 2;    ///< bit of what range finders see
 constexpr std::uint16_t kSmooth = 4;  ///< bit of what sends sound back like a mirror
 constexpr std::uint16_t kRobot = 8;   ///< bit of the robot itself
+constexpr std::uint16_t kGlass = 16;  ///< bit of what sound alone is thrown back by
 /// Of everything that can be pushed against: rubber and furniture on a smooth floor (ours).
 constexpr float kFriction = 0.3F;
 /// kg: a P3-DX of 9 kg, three batteries, mast, cameras and computer (ours).
@@ -38,10 +39,12 @@ b2Vec2 vec(Point2 p) {
 
 class NearestHit : public b2RayCastCallback {
  public:
+  explicit NearestHit(Beam beam)
+      : seen_(beam == Beam::sound ? kSeen | kGlass : static_cast<int>(kSeen)) {}
   float ReportFixture(b2Fixture* fixture, const b2Vec2& /*point*/, const b2Vec2& normal_in,
                       float fraction_in) override {
     const std::uint16_t category = fixture->GetFilterData().categoryBits;
-    if ((category & kSeen) == 0) return -1.0F;  // look through
+    if ((category & seen_) == 0) return -1.0F;  // look through
     fraction = fraction_in;
     normal = normal_in;
     smooth = (category & kSmooth) != 0;
@@ -50,6 +53,9 @@ class NearestHit : public b2RayCastCallback {
   float fraction = 2.0F;
   b2Vec2 normal{0.0F, 0.0F};
   bool smooth = false;
+
+ private:
+  int seen_;
 };
 
 }  // namespace
@@ -131,10 +137,20 @@ Physics::Physics(const World& world, const FloorPlan& plan, const RobotDescripti
 Physics::~Physics() = default;
 
 void Physics::add_obstacles(const World& new_ones, const FloorPlan& plan) {
-  for (const StaticShape& thing : standing_shapes(new_ones, plan)) {
+  for (const StaticShape& thing : solid_shapes(new_ones, plan)) {
     parts_->add_static(thing, kTouchable);
   }
-  for (const StaticShape& thing : low_shapes(new_ones, plan)) parts_->add_static(thing, kSeen);
+  const auto is_wall = [](const WorldObstacle& thing) { return thing.kind == ObstacleKind::wall; };
+  const World rough = with_obstacles(new_ones, [&](const auto& thing) { return !is_wall(thing); });
+  for (const StaticShape& thing : low_shapes(rough, plan)) parts_->add_static(thing, kSeen);
+  World walls = with_obstacles(new_ones, is_wall);
+  walls.pillars.clear();
+  for (const StaticShape& wall : low_shapes(walls, plan)) {
+    parts_->add_static(wall, kSeen | kSmooth);
+  }
+  for (const StaticShape& pane : glass_shapes(new_ones, plan)) {
+    parts_->add_static(pane, kGlass | kSmooth);
+  }
 }
 
 void Physics::step(double dt_s, double forward_m_s, double turn_rad_s,
@@ -184,12 +200,12 @@ std::vector<Touch> Physics::touches() const {
   return touches;
 }
 
-RayHit Physics::ray(Point2 from, double heading_rad, double range_m) const {
+RayHit Physics::ray(Point2 from, double heading_rad, double range_m, Beam beam) const {
   const double c = std::cos(heading_rad);
   const double s = std::sin(heading_rad);
   const b2Vec2 start = vec(from);
   const b2Vec2 end = vec({from.x_m + range_m * c, from.y_m + range_m * s});
-  NearestHit nearest;
+  NearestHit nearest(beam);
   parts_->world.RayCast(&nearest, start, end);
   if (nearest.fraction > 1.0F) return {std::numeric_limits<double>::infinity(), 1.0, false};
   return {range_m * static_cast<double>(nearest.fraction),

@@ -23,11 +23,14 @@ struct Touch {
   bool moving = false;  ///< a person who walks
 };
 
+/// What a range finder sends out: glass throws back sound, and lets light through.
+enum class Beam { sound, light };
+
 /// What a ray of a range finder meets.
 struct RayHit {
   double distance_m = 0.0;     ///< +inf: nothing
   double cos_incidence = 1.0;  ///< 1: straight onto the surface
-  bool smooth = false;         ///< a wall, which throws sound away like a mirror
+  bool smooth = false;         ///< a wall or glass, which throws sound away like a mirror
 };
 
 /// The flat physics of a run (Box2D): the robot's octagon, everything that stands, people as
@@ -58,7 +61,7 @@ class Physics {
 
   /// Follows a ray at the height of the range finders (0.2 m to 0.3 m), where tables and chairs
   /// are legs; never sees the robot itself.
-  [[nodiscard]] RayHit ray(Point2 from, double heading_rad, double range_m) const;
+  [[nodiscard]] RayHit ray(Point2 from, double heading_rad, double range_m, Beam beam) const;
 
  private:
   struct Parts;

@@ -76,8 +76,8 @@ void Sonar::fire(std::size_t disc, const Physics& physics) {
   double nearest = kInfinity;
   for (int i = 0; i < kRaysPerBeam; ++i) {
     const double offset = settings_.sonar_half_beam_rad * (2.0 * i / (kRaysPerBeam - 1) - 1.0);
-    const RayHit hit =
-        physics.ray({outer.x_m, outer.y_m}, outer.heading_rad + offset, settings_.sonar_range_m);
+    const RayHit hit = physics.ray({outer.x_m, outer.y_m}, outer.heading_rad + offset,
+                                   settings_.sonar_range_m, Beam::sound);
     if (hit.cos_incidence < (hit.smooth ? kCosSmooth : kCosRough)) continue;
     nearest = std::min(nearest, hit.distance_m);
   }
@@ -103,9 +103,10 @@ RangeScan Laser::sweep(TimePoint now, const Physics& physics) {
 double Laser::range_m(double bearing_rad, const Physics& physics) {
   const Pose2 outer = transform(physics.robot(), mount_);
   const std::uint64_t number = rays_++;
-  const double distance =
-      physics.ray({outer.x_m, outer.y_m}, outer.heading_rad + bearing_rad, settings_.laser_range_m)
-          .distance_m;
+  const double distance = physics
+                              .ray({outer.x_m, outer.y_m}, outer.heading_rad + bearing_rad,
+                                   settings_.laser_range_m, Beam::light)
+                              .distance_m;
   if (!std::isfinite(distance)) return distance;
   return std::max(kLaserNearest_m, distance + settings_.laser_noise_m * random_.normal(number));
 }

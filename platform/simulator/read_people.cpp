@@ -82,6 +82,7 @@ void read_walk(WorldEntry& entry, const Node& list, World& world,
   entry.map().number("speed", walk.speed_m_s, Unit::speed, {0.05, 3.0});
   entry.map().number("from", walk.from_s, Unit::duration, {0.0, 36000.0});
   entry.map().flag("repeat", walk.repeat);
+  entry.map().flag("carries", walk.carries);
   entry.finish();
   for (Point2& point : walk.points) move_to_free(entry, world, "walk", point);
   if (entry.sound()) world.walks.push_back(walk);
@@ -122,7 +123,8 @@ void read_person(const Node& node, World& world, config::Diagnostics& diagnostic
   } else if (stand != nullptr) {
     read_stander(entry, world);
   } else {
-    for (const char* key : {"speed", "from", "repeat", "wait", "heading"}) entry.map().raw(key);
+    for (const char* key : {"speed", "from", "repeat", "carries", "wait", "heading"})
+      entry.map().raw(key);
     diagnostics.add(node.place, "what does this person do?",
                     "write walk: [[x, y], ...], step_in_front: 2 per min, or stand: [x, y]");
     entry.finish();

@@ -41,6 +41,18 @@ void check_between_walls(WorldEntry& entry, const World& world, const WorldObsta
   }
 }
 
+/// As long as a corridor may be
+constexpr double kLongestWall_m = 1000.0;
+
+/// Nobody digs a stairwell during a run.
+void check_stairs(WorldEntry& entry, const WorldObstacle& obstacle) {
+  if (obstacle.kind != ObstacleKind::stairs || !entry.sound()) return;
+  const bool late = obstacle.from_s > 0.0 || obstacle.appears_after_m > 0.0;
+  if (!late) return;
+  entry.add(obstacle.from_s > 0.0 ? "from" : "appears_after", "stairs are there from the beginning",
+            "leave it out");
+}
+
 void read_obstacle(const Node& node, World& world, config::Diagnostics& diagnostics) {
   WorldEntry entry(node, "an obstacle", world, diagnostics);
   WorldObstacle obstacle;
@@ -51,7 +63,8 @@ void read_obstacle(const Node& node, World& world, config::Diagnostics& diagnost
   entry.require_point("at", obstacle.at);
   entry.map().number("turn", obstacle.turn_rad, Unit::angle, {radians(-360), radians(360)});
   entry.map().numbers("size", {&obstacle.size_x_m, &obstacle.size_y_m, &obstacle.size_z_m},
-                      Unit::length, {0.02, 5.0});
+                      Unit::length,
+                      {0.02, obstacle.kind == ObstacleKind::wall ? kLongestWall_m : 5.0});
   entry.map().text("image", obstacle.image);
   entry.map().number("from", obstacle.from_s, Unit::duration, {0.0, 86400.0});
   entry.map().number("appears_after", obstacle.appears_after_m, Unit::length, {0.0, 100000.0});
@@ -70,8 +83,28 @@ void read_obstacle(const Node& node, World& world, config::Diagnostics& diagnost
       return;
     }
   }
+  check_stairs(entry, obstacle);
   check_between_walls(entry, world, obstacle);
   if (entry.sound()) world.obstacles.push_back(obstacle);
+}
+
+void read_floor_patch(const Node& node, World& world, config::Diagnostics& diagnostics) {
+  WorldEntry entry(node, "a floor patch", world, diagnostics);
+  FloorPatch patch;
+  entry.require_point("at", patch.at);
+  entry.map().number("turn", patch.turn_rad, Unit::angle, {radians(-360), radians(360)});
+  if (entry.map().require("size")) {
+    entry.map().numbers("size", {&patch.size_x_m, &patch.size_y_m}, Unit::length, {0.05, 100.0});
+  }
+  if (entry.map().require("material")) entry.map().text("material", patch.material);
+  entry.finish();
+  entry.check_inside("at", patch.at);
+  if (patch.material != kWet) {
+    std::vector<std::string> names = surface_names();
+    names.emplace_back(kWet);
+    entry.check_image("material", patch.material, names);
+  }
+  if (entry.sound()) world.floor_patches.push_back(patch);
 }
 
 void read_object(const Node& node, World& world, config::Diagnostics& diagnostics) {
@@ -110,6 +143,8 @@ void read_things(MapReader& root, World& world) {
   config::Diagnostics& diagnostics = root.diagnostics();
   for_each_entry(root, "obstacles",
                  [&](const Node& node) { read_obstacle(node, world, diagnostics); });
+  for_each_entry(root, "floor_patches",
+                 [&](const Node& node) { read_floor_patch(node, world, diagnostics); });
   for_each_entry(root, "objects", [&](const Node& node) { read_object(node, world, diagnostics); });
 }
 

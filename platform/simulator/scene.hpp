@@ -44,6 +44,7 @@ struct PersonState {
   Pose2 pose;
   double stride_rad = 0.0;  ///< phase of the walk; legs together at 0
   double speed_m_s = 0.0;
+  bool carries = false;  ///< a box before the chest, within the disc that a person is
 };
 
 /// Everything that moves, at one moment. Coordinates of the plan.

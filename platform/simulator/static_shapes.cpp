@@ -48,6 +48,19 @@ std::vector<StaticShape> standing_shapes(const World& world, const FloorPlan& pl
   return shapes;
 }
 
+std::vector<StaticShape> solid_shapes(const World& world, const FloorPlan& plan) {
+  const World solid = with_obstacles(
+      world, [](const WorldObstacle& thing) { return thing.kind != ObstacleKind::stairs; });
+  return standing_shapes(solid, plan);
+}
+
+std::vector<StaticShape> drops(const World& world, const FloorPlan& plan) {
+  World holes = with_obstacles(
+      world, [](const WorldObstacle& thing) { return thing.kind == ObstacleKind::stairs; });
+  holes.pillars.clear();
+  return standing_shapes(holes, plan);
+}
+
 std::vector<StaticShape> wall_shapes(const FloorPlan& plan) {
   std::vector<StaticShape> shapes;
   for (const WallSegment& wall : plan.walls) {

@@ -20,8 +20,21 @@ struct StaticShape {
 [[nodiscard]] std::vector<ConvexShape> obstacle_outline(const WorldObstacle& obstacle,
                                                         const FloorPlan& plan);
 
-/// Pillars and obstacles.
+/// Pillars and obstacles; stairs, too, which nobody walks into.
 [[nodiscard]] std::vector<StaticShape> standing_shapes(const World& world, const FloorPlan& plan);
+
+/// Those of them that can be touched: not stairs, which are a hole.
+[[nodiscard]] std::vector<StaticShape> solid_shapes(const World& world, const FloorPlan& plan);
+
+/// The holes in the floor: stairs that go down.
+[[nodiscard]] std::vector<StaticShape> drops(const World& world, const FloorPlan& plan);
+
+/// The world with those of its obstacles for which `kept(obstacle)` is true, and its pillars.
+template <class Kept>
+[[nodiscard]] World with_obstacles(World world, Kept kept) {
+  std::erase_if(world.obstacles, [&](const WorldObstacle& thing) { return !kept(thing); });
+  return world;
+}
 
 /// The walls, each as a line without thickness.
 [[nodiscard]] std::vector<StaticShape> wall_shapes(const FloorPlan& plan);

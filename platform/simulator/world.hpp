@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "striate/base/geometry.hpp"
+#include "striate/platform/simulator/eye_faults.hpp"
 
 /// What a world file says, in SI units and radians. x runs along the corridor's centre line, y to
 /// its left, the middle of the start wall is the origin. In a corridor with turns x goes on along
@@ -71,7 +72,23 @@ struct Sun {
   double level = 0.0;
 };
 
-enum class ObstacleKind { table, chair, cardboard_box, styrofoam_box, box, cylinder, plant, bin };
+/// A `wall` is masonry from floor to ceiling, for branches, rings and blind ends. A `glass` pane
+/// stands in a frame. `stairs` go down along their x: a hole in the floor. A `sitter` is a person
+/// on a chair, who looks along x and stays.
+enum class ObstacleKind {
+  table,
+  chair,
+  cardboard_box,
+  styrofoam_box,
+  box,
+  cylinder,
+  plant,
+  bin,
+  wall,
+  glass,
+  stairs,
+  sitter,
+};
 
 struct WorldObstacle {
   ObstacleKind kind = ObstacleKind::box;
@@ -84,6 +101,15 @@ struct WorldObstacle {
   std::string image;             ///< texture of its sides; empty: the kind's own
   double from_s = 0.0;           ///< not there before this time of the run
   double appears_after_m = 0.0;  ///< not there before the robot has driven so far
+};
+
+/// Carpet, a puddle: lies flat on the floor and stops nobody.
+struct FloorPatch {
+  Point2 at;  ///< its middle
+  double turn_rad = 0.0;
+  double size_x_m = 1.0;
+  double size_y_m = 1.0;
+  std::string material;  ///< a shipped surface, an image file, or "wet"
 };
 
 struct WorldObject {  ///< a thing that can be taught and sought
@@ -103,6 +129,7 @@ struct Walk {  ///< a person who walks along points, once or to and fro
   double speed_m_s = 1.0;
   double from_s = 0.0;
   bool repeat = false;
+  bool carries = false;  ///< a small box before the chest
 };
 
 struct StepInFront {  ///< people who step before the robot now and then
@@ -133,12 +160,14 @@ struct World {
   std::vector<LightRow> lights;
   std::optional<Sun> sun;
   std::vector<WorldObstacle> obstacles;
+  std::vector<FloorPatch> floor_patches;
   std::vector<WorldObject> objects;
   std::vector<Walk> walks;
   std::vector<StepInFront> steps_in_front;
   std::vector<Stander> standers;
   Pose2 start{1.0, 0.0, 0.0};
   double goal_beyond_m = 58.0;
+  EyeFaults eyes;  ///< what is wrong with the cameras in this world
 };
 
 }  // namespace striate::simulator

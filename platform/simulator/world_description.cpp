@@ -63,6 +63,25 @@ std::string things_line(const World& world) {
   return parts.empty() ? "none" : fmt::format("{}", fmt::join(parts, ", "));
 }
 
+/// Lists the settings that are not off.
+struct FaultLister {
+  std::vector<std::string> parts;
+  void number(const char* key, double& field, config::Unit unit, config::Range /*range*/,
+              const char* /*help*/) {
+    if (field != 0.0) {
+      parts.push_back(fmt::format("{} {}", key, config::print_quantity(field, unit)));
+    }
+  }
+};
+
+std::string eyes_line(const World& world) {
+  FaultLister lister;
+  EyeFaults faults = world.eyes;
+  visit(lister, faults);
+  return lister.parts.empty() ? "as they should be"
+                              : fmt::format("{}", fmt::join(lister.parts, ", "));
+}
+
 std::string people_line(const World& world) {
   std::vector<std::string> parts;
   if (!world.walks.empty()) parts.push_back(fmt::format("{} who walk", world.walks.size()));
@@ -95,6 +114,10 @@ std::string describe_world(const World& world, const FloorPlan& plan, const Pass
   line("obstacles", things_line(world));
   line("doors", fmt::format("{}", world.doors.size()));
   line("people", people_line(world));
+  if (!world.floor_patches.empty()) {
+    line("on the floor", counted(world.floor_patches.size(), "patch", "patches"));
+  }
+  line("eyes", eyes_line(world));
   line("start and goal", fmt::format("{}, {}; beyond {}", metres(world.start.x_m),
                                      metres(world.start.y_m), metres(world.goal_beyond_m)));
   return text;

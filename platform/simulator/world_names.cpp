@@ -21,7 +21,8 @@ std::vector<std::string> picture_names() {
 
 const std::vector<std::string>& obstacle_kinds() {
   static const std::vector<std::string> names{"table", "chair",    "cardboard_box", "styrofoam_box",
-                                              "box",   "cylinder", "plant",         "bin"};
+                                              "box",   "cylinder", "plant",         "bin",
+                                              "wall",  "glass",    "stairs",        "sitter"};
   return names;
 }
 

@@ -10,6 +10,8 @@ namespace striate::simulator {
 [[nodiscard]] std::vector<std::string> surface_names();
 /// Pictures for posters, book covers and boxes: "poster_fish".
 [[nodiscard]] std::vector<std::string> picture_names();
+/// The material of a puddle, which no wall has.
+inline constexpr const char* kWet = "wet";
 /// In the order of ObstacleKind.
 [[nodiscard]] const std::vector<std::string>& obstacle_kinds();
 [[nodiscard]] const std::vector<std::string>& object_kinds();

@@ -67,6 +67,14 @@ void read_goal(MapReader& root, World& world) {
   }
 }
 
+void read_eyes(MapReader& root, World& world) {
+  const Node* node = root.raw("eyes");
+  if (node == nullptr) return;
+  config::SettingsReader reader(*node, "eyes", root.diagnostics());
+  visit(reader, world.eyes);
+  reader.finish();
+}
+
 World read_root(const Node& node, Diagnostics& diagnostics) {
   World world;
   world.file = diagnostics.file();
@@ -82,6 +90,7 @@ World read_root(const Node& node, Diagnostics& diagnostics) {
   read_lights(root, world);
   read_things(root, world);
   read_people(root, world);
+  read_eyes(root, world);
   read_start(root, world);
   read_goal(root, world);
   root.finish();

@@ -43,7 +43,9 @@ class WorldText {
                          metres(world_.length_m), metres(world_.width_m), metres(world_.height_m));
     shape();
     surfaces();
+    floor();
     light();
+    eyes();
     things();
     people();
     text_ += fmt::format("start: {{at: {}, heading: {}}}\n",
@@ -133,6 +135,24 @@ class WorldText {
     if (thing.appears_after_m > 0.0) text_ += ", appears_after: " + metres(thing.appears_after_m);
     text_ += "}\n";
   }
+  void floor() {
+    list("floor_patches", world_.floor_patches, [](const FloorPatch& patch) {
+      return fmt::format("at: {}, turn: {}, size: [{}, {}], material: {}", point_text(patch.at),
+                         degrees_text(patch.turn_rad), metres(patch.size_x_m),
+                         metres(patch.size_y_m), quoted(patch.material));
+    });
+  }
+  void eyes() {
+    const EyeFaults& e = world_.eyes;
+    if (e == EyeFaults{}) return;
+    text_ += fmt::format(
+        "eyes: {{tilt: {}, yaw: {}, focal: {:g}, baseline: {:g}, rows: {:g} px, distortion: {:g},\n"
+        "       rolling_shutter: {:g} ms, white_balance: {:g}, lamp_flicker: {:g}, dirt: {:g},\n"
+        "       fixed_pattern: {:g}}}\n",
+        degrees_text(e.tilt_rad), degrees_text(e.yaw_rad), e.focal, e.baseline, e.rows_px,
+        e.distortion, 1000.0 * e.rolling_shutter_s, e.white_balance, e.lamp_flicker, e.dirt,
+        e.fixed_pattern);
+  }
   void things() {
     if (!world_.obstacles.empty()) text_ += "obstacles:\n";
     for (std::size_t i = 0; i < world_.obstacles.size(); ++i) {
@@ -159,8 +179,9 @@ class WorldText {
       for (const Point2& point : walk.points) {
         points += (points.empty() ? "" : ", ") + point_text(point);
       }
-      text_ += fmt::format("  - {{walk: [{}], speed: {:g} m/s, from: {}, repeat: {}}}\n", points,
-                           walk.speed_m_s, seconds_text(walk.from_s), walk.repeat);
+      text_ += fmt::format("  - {{walk: [{}], speed: {:g} m/s, from: {}, repeat: {}{}}}\n", points,
+                           walk.speed_m_s, seconds_text(walk.from_s), walk.repeat,
+                           walk.carries ? ", carries: true" : "");
     }
     for (const StepInFront& step : world_.steps_in_front) {
       text_ += fmt::format("  - {{step_in_front: {:g} per min, wait: {}}}\n", step.per_minute,

@@ -44,7 +44,8 @@ struct Smear {
 /// read noise, Bayer mosaic and its interpolation (Malvar, He and Cutler 2004), tone curve.
 class Sensor {
  public:
-  Sensor(const CameraSettings& settings, Eye eye, std::uint64_t seed);
+  /// @param common_pattern spread of the pixels' sensitivity that is the same in both eyes
+  Sensor(const CameraSettings& settings, Eye eye, std::uint64_t seed, double common_pattern = 0.0);
 
   cv::Mat3b expose(const std::vector<V4>& light, const Exposure& exposure, const Smear& smear,
                    std::uint64_t frame);

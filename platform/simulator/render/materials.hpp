@@ -28,6 +28,8 @@ class Materials {
   /// The number of a shipped surface or picture, or of an image file. Throws UserError for a name
   /// that is neither, with the nearest shipped one. `for_what` stands in the message: "wall".
   int find(const std::string& name, const std::string& for_what);
+  /// A floor of this material with water on it: darker, and as much of a mirror as water is.
+  int wet(const std::string& floor);
   /// A lamp's panel.
   int lamp(float exitance);
 

@@ -1,6 +1,7 @@
 #include "striate/platform/simulator/render/people.hpp"
 
 #include <numbers>
+#include <utility>
 
 namespace striate::simulator::render {
 
@@ -25,6 +26,7 @@ class Body {
     head();
     arm(1.0F, phase + std::numbers::pi_v<float>);
     arm(-1.0F, phase);
+    if (state_.carries) carry();
     shade_around();
   }
 
@@ -150,8 +152,9 @@ class Body {
   }
 
   void arm(float side, float phase) {
-    const float upper = 0.75F * swing_ * std::sin(phase);
-    const float lower = upper + 0.12F + 0.35F * swing_;
+    // Who carries keeps his elbows back and his hands before him.
+    const float upper = state_.carries ? -0.5F : 0.75F * swing_ * std::sin(phase);
+    const float lower = state_.carries ? 1.3F : upper + 0.12F + 0.35F * swing_;
     const float h = hip_m_ - 0.93F;
     const Vec3 shoulder{0.0F, side * 0.19F, 1.415F + h};
     const Vec3 elbow = hanging(shoulder, upper, 0.29F) + Vec3{0.0F, side * 0.03F, 0.0F};
@@ -169,6 +172,24 @@ class Body {
           across(hanging(wrist, lower, 0.08F), lower, 0.042F, 0.022F, 0.08F),
           across(wrist, lower, 0.03F, 0.028F, 0.17F)},
          look_.skin);
+  }
+
+  /// A box before the chest, within the disc that a person takes of the floor.
+  void carry() {
+    const float h = hip_m_ - 0.93F;
+    constexpr float kMiddle_m = 0.16F;
+    constexpr float kDeep_m = 0.07F;  // half of it, as below: 0.14 m deep, 0.2 m wide
+    constexpr float kWide_m = 0.10F;
+    const auto ring = [&](float z, float share) {
+      return Ring{{kMiddle_m, 0.0F, z + h},
+                  {share * kDeep_m, share * kWide_m, 0.0F},
+                  {-share * kDeep_m, share * kWide_m, 0.0F},
+                  z};
+    };
+    const int sides = std::exchange(sides_, 4);
+    loft({ring(1.04F, 0.05F), ring(1.04F, 1.0F), ring(1.26F, 1.0F), ring(1.26F, 0.05F)},
+         people_.carton_);
+    sides_ = sides;
   }
 
   void shade_around() {
@@ -220,6 +241,7 @@ People::People(Materials& materials) : materials_(materials) {
     looks_.push_back({find(c.top), find(c.trousers), find(c.shoes), find(c.skin), find(c.hair),
                       c.height, c.sleeves});
   }
+  carton_ = materials.find("cardboard", "person");
 }
 
 void People::pose(const SceneState& state, const LightProbes& probes, double reach_m) {

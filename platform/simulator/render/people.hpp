@@ -47,6 +47,7 @@ class People {
   friend class Body;
 
   std::vector<Clothing> looks_;
+  int carton_ = 0;  ///< the material of what they carry
   const Materials& materials_;
   std::vector<Patch> patches_;
   std::vector<V4> light_;

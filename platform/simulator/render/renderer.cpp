@@ -4,6 +4,7 @@
 
 #include "striate/platform/simulator/render/camera_model.hpp"
 #include "striate/platform/simulator/render/eye_image.hpp"
+#include "striate/platform/simulator/render/lens_faults.hpp"
 
 namespace striate::simulator {
 
@@ -27,15 +28,19 @@ struct Renderer::Parts {
         shader(stage, baked, people, tracer),
         eye(tracer, shader, people),
         exposure_control(settings),
-        left(settings, Eye::left, key),
-        right(settings, Eye::right, key) {}
+        faults(world.eyes),
+        left_lens(faults, settings, Eye::left, key),
+        right_lens(faults, settings, Eye::right, key),
+        left(settings, Eye::left, key, faults.fixed_pattern),
+        right(settings, Eye::right, key, faults.fixed_pattern) {}
 
   void set_scene(const SceneState& state) {
     people.pose(state, probes, kPeopleReach_m);
     tracer.set_people(people.patches());
   }
   [[nodiscard]] View view(const SceneState& state, Eye which) const;
-  [[nodiscard]] Smear smear(const SceneState& state);
+  [[nodiscard]] EyeMotion motion(const SceneState& state) const;
+  [[nodiscard]] Smear smear(const SceneState& state, const EyeMotion& motion) const;
 
   CameraSettings settings;
   std::uint64_t seed;
@@ -48,6 +53,9 @@ struct Renderer::Parts {
   EyeImage eye;
   ExposureControl exposure_control;
   Exposure exposure;
+  EyeFaults faults;
+  LensFaults left_lens;
+  LensFaults right_lens;
   Sensor left;
   Sensor right;
   GaussTable gauss;
@@ -55,9 +63,21 @@ struct Renderer::Parts {
   SceneState last;  ///< of the image before: how fast the head turns
 };
 
-/// Each camera keeps half of what rectification left.
+/// Each camera keeps half of what rectification left. Where the head's calibration is wrong it
+/// looks elsewhere than the frame will say.
 View Renderer::Parts::view(const SceneState& state, Eye which) const {
-  View view = view_of(state, settings, which, settings.width_px);
+  SceneState looks = state;
+  looks.head.tilt_rad += faults.tilt_rad;
+  CameraSettings true_eyes = settings;
+  true_eyes.baseline_m *= 1.0 + faults.baseline;
+  View view = view_of(looks, true_eyes, which, settings.width_px);
+  if (which == Eye::right) {
+    const Vec3 origin = view.origin;
+    looks.head.pan_rad += faults.yaw_rad;
+    view = view_of(looks, true_eyes, which, settings.width_px);
+    view.origin = origin;
+  }
+  view.focal_px *= static_cast<float>(1.0 + faults.focal);
   const double sign = which == Eye::left ? 0.5 : -0.5;
   const auto draw = [&](std::uint64_t k) {
     return static_cast<double>(gauss(key_of(seed, 0xCA11 + k)));
@@ -70,20 +90,25 @@ View Renderer::Parts::view(const SceneState& state, Eye which) const {
       static_cast<float>(part * std::clamp(draw(1), -1.5, 1.5) / (settings.width_px / 2.0));
   view.skew_by_v =
       static_cast<float>(part * std::clamp(draw(2), -1.5, 1.5) / (settings.height_px() / 2.0));
+  if (which == Eye::right) view.skew_px += static_cast<float>(faults.rows_px);
   return view;
 }
 
-Smear Renderer::Parts::smear(const SceneState& state) {
-  double turn = state.turn_rad_s;
-  double nod = 0.0;
+EyeMotion Renderer::Parts::motion(const SceneState& state) const {
+  EyeMotion motion{state.time_s, exposure.shutter_s, state.turn_rad_s, 0.0};
   const double passed = state.time_s - last.time_s;
   if (has_last && passed > 0.0 && passed < 0.5) {
-    turn += (state.head.pan_rad - last.head.pan_rad) / passed;
-    nod = (state.head.tilt_rad - last.head.tilt_rad) / passed;
+    motion.turn_rad_s += (state.head.pan_rad - last.head.pan_rad) / passed;
+    motion.nod_rad_s = (state.head.tilt_rad - last.head.tilt_rad) / passed;
   }
+  return motion;
+}
+
+Smear Renderer::Parts::smear(const SceneState& state, const EyeMotion& motion) const {
   const View v = view_of(state, settings, Eye::left, settings.width_px);
   const double px = static_cast<double>(v.focal_px) * exposure.shutter_s;
-  return {static_cast<float>(std::abs(turn) * px), static_cast<float>(std::abs(nod) * px)};
+  return {static_cast<float>(std::abs(motion.turn_rad_s) * px),
+          static_cast<float>(std::abs(motion.nod_rad_s) * px)};
 }
 
 Renderer::Renderer(const World& world, const FloorPlan& plan, const CameraSettings& settings,
@@ -101,14 +126,19 @@ StereoFrame Renderer::image(const SceneState& state) {
   const View left = p.view(state, Eye::left);
   const std::vector<V4>& left_light = p.eye.render(left, p.settings.smooth_edges);
   p.exposure = p.exposure_control.choose(left_light);
-  const Smear smear = p.smear(state);
+  const EyeMotion motion = p.motion(state);
+  const Smear smear = p.smear(state, motion);
   StereoFrame frame;
-  frame.left = p.left.expose(left_light, p.exposure, smear, state.frame);
-  frame.right = p.right.expose(p.eye.render(p.view(state, Eye::right), p.settings.smooth_edges),
-                               p.exposure, smear, state.frame);
-  frame.focal_px = static_cast<double>(left.focal_px);
-  frame.centre_u_px = static_cast<double>(left.centre_u_px);
-  frame.centre_v_px = static_cast<double>(left.centre_v_px);
+  frame.left = p.left.expose(p.left_lens.apply(left_light, motion), p.exposure, smear, state.frame);
+  const std::vector<V4>& right_light =
+      p.eye.render(p.view(state, Eye::right), p.settings.smooth_edges);
+  frame.right =
+      p.right.expose(p.right_lens.apply(right_light, motion), p.exposure, smear, state.frame);
+  // What the head is told of itself, right or not.
+  const View told = view_of(state, p.settings, Eye::left, p.settings.width_px);
+  frame.focal_px = static_cast<double>(told.focal_px);
+  frame.centre_u_px = static_cast<double>(told.centre_u_px);
+  frame.centre_v_px = static_cast<double>(told.centre_v_px);
   frame.baseline_m = p.settings.baseline_m;
   p.last = state;
   p.has_last = true;

@@ -51,13 +51,14 @@ class MovingAverage {
 
 }  // namespace
 
-Sensor::Sensor(const CameraSettings& settings, Eye eye, std::uint64_t seed)
+Sensor::Sensor(const CameraSettings& settings, Eye eye, std::uint64_t seed, double common_pattern)
     : settings_(settings),
       width_(settings.width_px),
       height_(settings.height_px()),
       seed_(seed * 2 + (eye == Eye::left ? 0 : 1)),
       demosaic_(width_, height_) {
   const std::uint32_t pixels = key_of(seed_, 0xA11CE);
+  const std::uint32_t of_both = key_of(seed, 0xB07F);
   const float half_diagonal =
       std::hypot(static_cast<float>(width_), static_cast<float>(height_)) / 2.0F;
   const double mismatch = (eye == Eye::left ? 0.5 : -0.5) * settings.gain_mismatch *
@@ -73,6 +74,11 @@ Sensor::Sensor(const CameraSettings& settings, Eye eye, std::uint64_t seed)
                                : 0.0F;
       sensitivity_.push_back((1.0F - static_cast<float>(settings.vignetting) * r * r) *
                              (1.0F + uneven) * (1.0F + static_cast<float>(mismatch)));
+      if (common_pattern > 0.0) {
+        sensitivity_.back() *=
+            1.0F + static_cast<float>(common_pattern) *
+                       gauss_(mix(of_both, static_cast<std::uint32_t>(y * width_ + x)));
+      }
     }
   }
   const int cells = (width_ + 2 * kMargin) * (height_ + 2 * kMargin);

@@ -2,6 +2,8 @@
 
 #include <set>
 
+#include "striate/platform/simulator/static_shapes.hpp"
+
 namespace striate::simulator::render {
 namespace {
 
@@ -14,28 +16,33 @@ constexpr float kOvercastSky = 1.0F;
 constexpr float kClearSky = 3.5F;
 constexpr float kPiece_m = 4.0F;  ///< floor and ceiling are laid in pieces of at most this
 
-/// Between two neighbouring corners' x the outline's inside is a row of trapezoids.
+/// Between two neighbouring corners' x the outline's inside, without its holes, is a row of
+/// trapezoids.
 struct Slab {
   float x0, x1;
   float low0, low1;  ///< y at x0 and at x1
   float high0, high1;
 };
 
-std::vector<Slab> slabs_of(const std::vector<Point2>& outline) {
+std::vector<Slab> slabs_of(const std::vector<std::vector<Point2>>& outlines) {
   std::set<double> xs;
-  for (const Point2& p : outline) {
-    if (xs.lower_bound(p.x_m - 1e-3) == xs.upper_bound(p.x_m + 1e-3)) xs.insert(p.x_m);
+  for (const std::vector<Point2>& outline : outlines) {
+    for (const Point2& p : outline) {
+      if (xs.lower_bound(p.x_m - 1e-3) == xs.upper_bound(p.x_m + 1e-3)) xs.insert(p.x_m);
+    }
   }
   std::vector<Slab> slabs;
   for (auto a = xs.begin(), b = std::next(a); b != xs.end(); ++a, ++b) {
     std::vector<std::pair<double, double>> crossings;  // y at *a, y at *b
-    for (std::size_t i = 0; i < outline.size(); ++i) {
-      const Point2 p = outline[i];
-      const Point2 q = outline[(i + 1) % outline.size()];
-      const double middle = (*a + *b) / 2.0;
-      if ((p.x_m < middle) == (q.x_m < middle)) continue;
-      const double slope = (q.y_m - p.y_m) / (q.x_m - p.x_m);
-      crossings.emplace_back(p.y_m + slope * (*a - p.x_m), p.y_m + slope * (*b - p.x_m));
+    for (const std::vector<Point2>& outline : outlines) {
+      for (std::size_t i = 0; i < outline.size(); ++i) {
+        const Point2 p = outline[i];
+        const Point2 q = outline[(i + 1) % outline.size()];
+        const double middle = (*a + *b) / 2.0;
+        if ((p.x_m < middle) == (q.x_m < middle)) continue;
+        const double slope = (q.y_m - p.y_m) / (q.x_m - p.x_m);
+        crossings.emplace_back(p.y_m + slope * (*a - p.x_m), p.y_m + slope * (*b - p.x_m));
+      }
     }
     std::sort(crossings.begin(), crossings.end(),
               [](const auto& p, const auto& q) { return p.first + p.second < q.first + q.second; });
@@ -74,10 +81,12 @@ void lay(PatchList& patches, const Slab& slab, float z_m, int material, bool fac
 void add_floor_and_ceiling(PatchList& patches, const World& world, const FloorPlan& plan) {
   const int floor = patches.materials().find(world.floor_material, "floor");
   const int ceiling = patches.materials().find("ceiling", "ceiling");
-  const std::vector<Slab> slabs = slabs_of(plan.outline);
+  std::vector<std::vector<Point2>> outlines{plan.outline};
+  const std::vector<Slab> slabs = slabs_of(outlines);
+  for (const StaticShape& drop : drops(world, plan)) outlines.push_back(drop.shape.corners);
   patches.next_group();
   patches.set_spacing(0.1F);
-  for (const Slab& slab : slabs) lay(patches, slab, 0.0F, floor, true);
+  for (const Slab& slab : slabs_of(outlines)) lay(patches, slab, 0.0F, floor, true);
   patches.next_group();
   patches.set_spacing(0.3F);
   for (const Slab& slab : slabs) {
@@ -117,6 +126,7 @@ Stage build_stage(const World& world, const FloorPlan& plan) {
   add_lamps(patches, stage.lamps, world, plan);
   for (const Pillar& pillar : world.pillars) add_pillar(patches, pillar, world, plan);
   for (const WorldObstacle& obstacle : world.obstacles) add_obstacle(patches, obstacle, plan);
+  for (const FloorPatch& patch : world.floor_patches) add_floor_patch(patches, patch, world, plan);
   for (const WorldObject& object : world.objects) add_object(patches, object, plan);
   stage.light_texels = patches.light_texels();
   stage.patches = patches.take();

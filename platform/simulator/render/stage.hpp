@@ -53,6 +53,13 @@ void add_pillar(PatchList& patches, const Pillar& pillar, const World& world,
 void add_lamps(PatchList& patches, std::vector<Lamp>& lamps, const World& world,
                const FloorPlan& plan);
 void add_obstacle(PatchList& patches, const WorldObstacle& obstacle, const FloorPlan& plan);
+/// Walls within the corridor, panes of glass, stairs that go down: each as `obstacle` is.
+void add_inner_wall(PatchList& patches, const WorldObstacle& obstacle, const FloorPlan& plan);
+void add_glass(PatchList& patches, const WorldObstacle& obstacle, const FloorPlan& plan);
+void add_stairs(PatchList& patches, const WorldObstacle& obstacle, const FloorPlan& plan);
+void add_sitter(PatchList& patches, const WorldObstacle& obstacle, const FloorPlan& plan);
+void add_floor_patch(PatchList& patches, const FloorPatch& patch, const World& world,
+                     const FloorPlan& plan);
 void add_object(PatchList& patches, const WorldObject& object, const FloorPlan& plan);
 
 }  // namespace striate::simulator::render

@@ -125,6 +125,10 @@ void add_obstacle(PatchList& patches, const WorldObstacle& obstacle, const Floor
   // Material of each kind of obstacle, in the order of ObstacleKind
   static constexpr const char* kOwn[] = {"wood",      "cloth_blue", "cardboard", "styrofoam",
                                          "dark_wood", "paint_red",  "leaf",      "paint_black"};
+  if (obstacle.kind == ObstacleKind::wall) return add_inner_wall(patches, obstacle, plan);
+  if (obstacle.kind == ObstacleKind::glass) return add_glass(patches, obstacle, plan);
+  if (obstacle.kind == ObstacleKind::sitter) return add_sitter(patches, obstacle, plan);
+  if (obstacle.kind == ObstacleKind::stairs) return add_stairs(patches, obstacle, plan);
   const Stand stand = stand_of(obstacle.at, obstacle.turn_rad, plan);
   const Half h = half_of(size_of(obstacle));
   const std::string name =
@@ -145,6 +149,11 @@ void add_obstacle(PatchList& patches, const WorldObstacle& obstacle, const Floor
       return patches.column(stand, {0.0F, 0.0F, 0.0F, h.z, h.x, h.y, h.x, h.y, 20, true}, material);
     case ObstacleKind::plant:
       return add_plant(patches, stand, h);
+    case ObstacleKind::wall:
+    case ObstacleKind::glass:
+    case ObstacleKind::stairs:
+    case ObstacleKind::sitter:
+      return;  // above
     case ObstacleKind::bin:
       patches.column(stand, {0.0F, 0.0F, 0.0F, h.z, 0.8F * h.x, 0.8F * h.y, h.x, h.y, 18, false},
                      material);
