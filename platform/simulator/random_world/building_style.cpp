@@ -13,9 +13,9 @@ BuildingKind kind_of_seed(std::uint64_t seed) {
 }
 
 const std::vector<std::string>& difficulty_names() {
-  static const std::vector<std::string> names{"low_thing", "overhang",  "pinch", "dark",
-                                              "bend",      "pocket",    "crowd", "thin_pole",
-                                              "sunlight",  "late_thing"};
+  static const std::vector<std::string> names{
+      "low_thing", "overhang",   "pinch", "dark",        "bend",  "pocket", "crowd",    "thin_pole",
+      "sunlight",  "late_thing", "ring",  "side_branch", "glass", "stairs", "wet_floor"};
   return names;
 }
 
@@ -42,7 +42,7 @@ BuildingStyle office() {
           35,
           10,
           {0, 2},
-          {35, 45, 40, 20, 50, 15, 35, 30, 30, 25}};
+          {35, 45, 40, 20, 50, 15, 35, 30, 30, 25, 15, 30, 30, 15, 30}};
 }
 BuildingStyle hospital() {
   return {{230, 300},
@@ -58,7 +58,7 @@ BuildingStyle hospital() {
           30,
           10,
           {1, 3},
-          {30, 40, 30, 15, 50, 15, 60, 40, 25, 30}};
+          {30, 40, 30, 15, 50, 15, 60, 40, 25, 30, 15, 35, 40, 15, 40}};
 }
 BuildingStyle basement() {
   return {{150, 220},
@@ -74,7 +74,7 @@ BuildingStyle basement() {
           5,
           0,
           {0, 1},
-          {60, 30, 60, 75, 55, 25, 10, 35, 0, 25}};
+          {60, 30, 60, 75, 55, 25, 10, 35, 0, 25, 10, 35, 0, 30, 35}};
 }
 BuildingStyle school() {
   return {{250, 360},
@@ -90,7 +90,7 @@ BuildingStyle school() {
           65,
           25,
           {1, 3},
-          {35, 35, 30, 15, 45, 15, 60, 25, 55, 25}};
+          {35, 35, 30, 15, 45, 15, 60, 25, 55, 25, 15, 30, 35, 30, 25}};
 }
 BuildingStyle old_house() {
   return {{130, 190},
@@ -106,7 +106,7 @@ BuildingStyle old_house() {
           40,
           8,
           {0, 1},
-          {45, 40, 60, 40, 60, 15, 20, 25, 30, 20}};
+          {45, 40, 60, 40, 60, 15, 20, 25, 30, 20, 5, 30, 10, 40, 30}};
 }
 
 }  // namespace

@@ -23,6 +23,7 @@ const std::vector<Furniture>& furniture_list() {
       {ObstacleKind::box, "cupboard", {60, 120}, {34, 50}, {80, 180}},
       {ObstacleKind::plant, "plant", {36, 60}, {36, 60}, {80, 150}},
       {ObstacleKind::bin, "bin", {26, 40}, {26, 40}, {40, 70}},
+      {ObstacleKind::sitter, "sitter", {72, 80}, {48, 52}, {122, 134}},
   };
   return list;
 }
@@ -45,6 +46,15 @@ WorldObstacle& Draft::put(ObstacleKind kind, const std::string& name, Point2 at,
   thing.image = image;
   world.obstacles.push_back(thing);
   return world.obstacles.back();
+}
+
+void Draft::other_width(SpanCm span, int other_cm) {
+  // Doors, windows and posters keep so far from a step of the wall: a frame and a name plate.
+  constexpr int kBesideStep_cm = 40;
+  world.widenings.push_back({metres_of(span.from), metres_of(span.to), metres_of(other_cm)});
+  for (const int step : {span.from, span.to}) {
+    unbroken.push_back({step - kBesideStep_cm, step + kBesideStep_cm});
+  }
 }
 
 int Draft::reach_cm() const {

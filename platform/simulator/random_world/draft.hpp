@@ -54,6 +54,8 @@ struct Draft {
   [[nodiscard]] double at_a_wall_m(int across_cm, int wide_cm);
   /// What things may cover of the corridor's width.
   [[nodiscard]] int reach_cm() const;
+  /// The corridor is `other_cm` wide over the span; its walls' steps take no doors.
+  void other_width(SpanCm span, int other_cm);
   /// A piece of furniture that leaves a lane, `x_cm` along the corridor. Returns what it is.
   std::string put_furniture(int at_cm);
 
@@ -75,6 +77,11 @@ void lay_dark(Draft& draft);
 void lay_bend(Draft& draft);
 void lay_pocket(Draft& draft);
 void lay_sunlight(Draft& draft);
+void lay_ring(Draft& draft);
+void lay_side_branch(Draft& draft);
+void lay_glass(Draft& draft);
+void lay_stairs(Draft& draft);
+void lay_wet_floor(Draft& draft);
 
 // What is everywhere, when all stretches are laid and the corridor's length is known.
 void hang_lamps(Draft& draft);

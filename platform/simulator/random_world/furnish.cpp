@@ -75,6 +75,7 @@ Walk walk_between(Draft& draft, int from_cm, int to_cm) {
   // Walking speeds of grown-ups indoors: 1.3 m/s and a spread of 0.3 m/s (Weidmann 1993).
   walk.speed_m_s = dice.throw_between({70, 160}) / 100.0;
   walk.from_s = dice.throw_between({0, 40});
+  walk.carries = dice.chance(25);  // one in four has his hands full
   return walk;
 }
 

@@ -11,19 +11,9 @@ namespace {
 
 /// Before and behind a place of another width: the robot turns there (by hand).
 constexpr int kApproach_cm = 200;
-/// Doors, windows and posters keep so far from a step of the wall: a frame and a name plate.
-constexpr int kBesideStep_cm = 40;
-
-void other_width(Draft& draft, SpanCm span, int width_cm) {
-  draft.world.widenings.push_back({metres_of(span.from), metres_of(span.to), metres_of(width_cm)});
-  for (const int step : {span.from, span.to}) {
-    draft.unbroken.push_back({step - kBesideStep_cm, step + kBesideStep_cm});
-  }
-}
-
 /// A frame of 0.8 m, as deep as a wall is thick.
 void put_frame(Draft& draft, int at_cm) {
-  other_width(draft, {at_cm, at_cm + draft.dice.throw_in_steps({12, 30}, 2)}, 80);
+  draft.other_width({at_cm, at_cm + draft.dice.throw_in_steps({12, 30}, 2)}, 80);
 }
 
 /// In a passage of `wide_cm`: a bin, a cupboard, or nothing.
@@ -65,7 +55,7 @@ void lay_pinch(Draft& draft) {
     at += 40;
   } else {
     const int length = draft.dice.throw_between({250, 420});
-    other_width(draft, {at, at + length}, kNarrow_cm);
+    draft.other_width({at, at + length}, kNarrow_cm);
     story = "a passage of 1.5 m" + put_in_passage(draft, at + length / 2, kNarrow_cm);
     at += length;
   }
@@ -119,7 +109,7 @@ void lay_pocket(Draft& draft) {
   const int wide = std::max(draft.width_cm, dice.throw_in_steps({270, 330}, 2));
   const int mouth = from + kApproach_cm;
   const int end = mouth + kDeep_cm;
-  if (wide > draft.width_cm) other_width(draft, {from + 100, end + 150}, wide);
+  if (wide > draft.width_cm) draft.other_width({from + 100, end + 150}, wide);
   const int height = std::min(200, draft.style.height_cm.low - 5);
   const std::string paint = dice.one_of(std::vector{"panelling", "paint_white", "plaster"});
   for (const int half : {1, 3}) {  // in two pieces, since a thing is at most 5 m long

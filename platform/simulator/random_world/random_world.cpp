@@ -25,6 +25,7 @@ constexpr int kBehindLast_cm = 350;   ///< the goal is 2 m before the end wall
 // Topics of the dice: what is drawn anew with each proposal comes behind kProposal.
 constexpr std::uint64_t kDifficultiesTopic = 1;  ///< which a building has
 constexpr std::uint64_t kShapeTopic = 2;         ///< width, height, order of the stretches
+constexpr std::uint64_t kEyesTopic = 3;          ///< what is wrong with the cameras
 constexpr std::uint64_t kProposalTopic = 16;     ///< times the proposal's number
 
 std::vector<Difficulty> draw_difficulties(BuildingKind kind, std::uint64_t seed) {
@@ -35,6 +36,35 @@ std::vector<Difficulty> draw_difficulties(BuildingKind kind, std::uint64_t seed)
     if (dice.chance(share)) drawn.push_back(static_cast<Difficulty>(i));
   }
   return drawn;
+}
+
+/// Each fault by itself in a quarter of the buildings, as large as heads that were calibrated once
+/// and driven for a year have it (by hand; rolling shutters are read out in 10 ms to 33 ms).
+EyeFaults draw_eyes(BuildingKind kind, std::uint64_t seed) {
+  constexpr int kShare_percent = 25;
+  Dice dice(seed, kind, kEyesTopic);
+  // Whole units, at least a quarter of the most; the sign is always thrown, so that one fault's
+  // throws do not move another's.
+  const auto draw = [&](int most, int lowest_sign) {
+    const bool is = dice.chance(kShare_percent);
+    const int size = dice.throw_between({std::max(1, most / 4), most});
+    const int sign = dice.sign();
+    if (!is) return 0;
+    return lowest_sign < 0 ? sign * size : size;
+  };
+  EyeFaults eyes;
+  eyes.tilt_rad = radians(draw(100, -1) / 100.0);  // up to 1 deg
+  eyes.yaw_rad = radians(draw(16, -1) / 100.0);    // 0.16 deg: a pixel of 320
+  eyes.focal = draw(20, -1) / 1000.0;              // 2 %
+  eyes.baseline = draw(10, -1) / 1000.0;           // 1 mm of 0.12 m
+  eyes.rows_px = draw(8, -1) / 10.0;               // nearly a pixel
+  eyes.distortion = draw(12, -1) / 1000.0;         // 2 px at the corner
+  eyes.rolling_shutter_s = draw(30, 1) / 1000.0;
+  eyes.white_balance = draw(20, -1) / 100.0;
+  eyes.lamp_flicker = draw(30, 1) / 100.0;  // magnetic ballasts
+  eyes.dirt = draw(8, 1) / 100.0;
+  eyes.fixed_pattern = draw(15, 1) / 1000.0;
+  return eyes;
 }
 
 using LayStretch = void (*)(Draft&);
@@ -60,6 +90,16 @@ LayStretch layer_of(Difficulty difficulty) {
       return lay_sunlight;
     case Difficulty::late_thing:
       return lay_late_thing;
+    case Difficulty::ring:
+      return lay_ring;
+    case Difficulty::side_branch:
+      return lay_side_branch;
+    case Difficulty::glass:
+      return lay_glass;
+    case Difficulty::stairs:
+      return lay_stairs;
+    case Difficulty::wet_floor:
+      return lay_wet_floor;
     case Difficulty::crowd:
       break;
   }
@@ -101,6 +141,7 @@ Proposal propose(BuildingKind kind, std::uint64_t seed, const std::vector<Diffic
   draft.world.file = draft.world.name + ".yaml";
   draft.world.width_m = metres_of(draft.width_cm);
   draft.world.height_m = metres_of(shape.throw_in_steps(style.height_cm, 5));
+  draft.world.eyes = draw_eyes(kind, seed);
   draft.x_cm = kBeforeFirst_cm;
   for (const LayStretch lay : draw_order(style, difficulties, shape)) lay(draft);
   draft.x_cm += kBehindLast_cm;
