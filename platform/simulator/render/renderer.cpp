@@ -134,11 +134,11 @@ StereoFrame Renderer::image(const SceneState& state) {
       p.eye.render(p.view(state, Eye::right), p.settings.smooth_edges);
   frame.right =
       p.right.expose(p.right_lens.apply(right_light, motion), p.exposure, smear, state.frame);
-  // What the head is told of itself, right or not.
-  const View told = view_of(state, p.settings, Eye::left, p.settings.width_px);
-  frame.focal_px = static_cast<double>(told.focal_px);
-  frame.centre_u_px = static_cast<double>(told.centre_u_px);
-  frame.centre_v_px = static_cast<double>(told.centre_v_px);
+  // What the head is told of itself, right or not. Without a fault that is the view's own number to
+  // the last bit.
+  frame.focal_px = static_cast<double>(left.focal_px) / (1.0 + p.faults.focal);
+  frame.centre_u_px = static_cast<double>(left.centre_u_px);
+  frame.centre_v_px = static_cast<double>(left.centre_v_px);
   frame.baseline_m = p.settings.baseline_m;
   p.last = state;
   p.has_last = true;

@@ -94,16 +94,32 @@ void add_floor_and_ceiling(PatchList& patches, const World& world, const FloorPl
   }
 }
 
+namespace {
+
+/// Who walls up a place leaves no lamp in it, which would shine out under the wall.
+bool within_an_inner_wall(const Pose2& place, const std::vector<StaticShape>& walls) {
+  return std::any_of(walls.begin(), walls.end(), [&](const StaticShape& wall) {
+    return distance_m(disc({place.x_m, place.y_m}, 0.0), wall.shape) <= 0.0;
+  });
+}
+
+}  // namespace
+
 void add_lamps(PatchList& patches, std::vector<Lamp>& lamps, const World& world,
                const FloorPlan& plan) {
   constexpr float kHalfLength_m = 0.6F;  // of a fluorescent panel, 1.2 m as 36 W tubes are
   constexpr float kHalfWidth_m = 0.15F;  // of a fluorescent panel of 0.3 m
   constexpr float kExitance = 36.0F;     // measured: about 1.0 on the floor with one panel each 4 m
   const int housing = patches.materials().find("paint_white", "lamp");
+  World walled = with_obstacles(
+      world, [](const WorldObstacle& thing) { return thing.kind == ObstacleKind::wall; });
+  walled.pillars.clear();
+  const std::vector<StaticShape> walls = standing_shapes(walled, plan);
   patches.set_spacing(0.4F);
   for (const LightRow& row : world.lights) {
     const double every = std::max(row.every_m, 0.5);
     for (double along = row.from_m + every / 2.0; along < row.to_m; along += every) {
+      if (within_an_inner_wall(plan.at(along, 0.0), walls)) continue;
       const Stand stand{plan.at(along, 0.0), static_cast<float>(plan.height_m) - 0.06F};
       patches.block(stand, {{-0.63F, -0.18F, 0.0F}, {0.63F, 0.18F, 0.06F}}, housing, housing, true);
       patches.next_group();

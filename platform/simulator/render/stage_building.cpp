@@ -126,9 +126,13 @@ void add_sitter(PatchList& patches, const WorldObstacle& obstacle, const FloorPl
   }
   patches.column(stand, {x(-0.28), 0.0F, z(0.4), z(0.82), 0.115F, y(0.34), 0.1F, y(0.38), 16, true},
                  top);
-  patches.column(stand, {x(-0.26), 0.0F, z(0.82), z(0.97), 0.07F, 0.06F, 0.1F, 0.078F, 14, false},
-                 find("skin"));
-  patches.column(stand, {x(-0.27), 0.0F, z(0.93), z(1.0), 0.105F, 0.082F, 0.07F, 0.055F, 14, true},
+  const int skin = find("skin");
+  patches.column(stand,
+                 {x(-0.26), 0.0F, z(0.81), z(0.87), 0.055F, 0.055F, 0.055F, 0.055F, 12, false},
+                 skin);  // neck
+  patches.column(stand, {x(-0.26), 0.0F, z(0.86), z(0.96), 0.075F, 0.06F, 0.1F, 0.08F, 14, true},
+                 skin);
+  patches.column(stand, {x(-0.27), 0.0F, z(0.95), z(1.0), 0.1F, 0.08F, 0.06F, 0.05F, 14, true},
                  find("hair"));
 }
 

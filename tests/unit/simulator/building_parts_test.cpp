@@ -7,6 +7,7 @@
 #include "striate/platform/simulator/passage.hpp"
 #include "striate/platform/simulator/physics.hpp"
 #include "striate/platform/simulator/range_finders.hpp"
+#include "striate/platform/simulator/render/stage.hpp"
 #include "striate/platform/simulator/simulated_pioneer.hpp"
 #include "striate/platform/simulator/world_description.hpp"
 #include "striate/platform/simulator/world_reader.hpp"
@@ -173,6 +174,17 @@ TEST(BuildingParts, TheEyesLookThroughGlassAndSeeItsFrame) {
   for (int u = 25; u < depth.cols - 25; ++u) nearest = std::min(nearest, depth(row, u));
   EXPECT_NEAR(nearest, 2.975 - test::clean_camera().forward_of_axle_m, 0.02)
       << "a post; the walls are seen farther out";
+}
+
+TEST(BuildingParts, NoLampHangsWithinAnInnerWall) {
+  const World open = read_parts("");
+  const World walled =
+      read_parts("obstacles: [{kind: wall, at: [6 m, 0 m], size: [2 m, 1 m, 2.7 m]}]\n");
+  const auto lamps = [](const World& world) {
+    return render::build_stage(world, build_floor_plan(world)).lamps.size();
+  };
+  EXPECT_EQ(lamps(open), 3U);  // at 2 m, 6 m and 10 m
+  EXPECT_EQ(lamps(walled), 2U);
 }
 
 TEST(BuildingParts, ASitterTakesAChairAndHisLegsAndOneWhoCarriesNoMoreThanHimself) {

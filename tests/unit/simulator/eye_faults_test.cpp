@@ -59,7 +59,9 @@ TEST(EyeFaults, OfCalibrationChangeWhatIsSeenAndNotWhatIsTold) {
   faults.focal = 0.02;
   faults.baseline = 0.05;
   const StereoFrame wrong = frame_with(faults);
-  EXPECT_EQ(wrong.focal_px, right.focal_px);
+  EXPECT_NEAR(wrong.focal_px, right.focal_px, 1e-4);
+  EXPECT_EQ(right.focal_px, static_cast<double>(static_cast<float>(right.focal_px)))
+      << "without a fault it is the view's own number";
   EXPECT_EQ(wrong.baseline_m, right.baseline_m);
   EXPECT_EQ(wrong.head.tilt_rad, right.head.tilt_rad);
   EXPECT_FALSE(same(wrong.left, right.left));
