@@ -1,5 +1,6 @@
 #pragma once
 
+#include "striate/app/perceive_frame.hpp"
 #include "striate/app/perceive_options.hpp"
 
 namespace striate::app {
@@ -11,5 +12,13 @@ namespace striate::app {
 /// Returns 0. Throws UserError for images that cannot be used and for impossible options,
 /// std::runtime_error where `out` cannot be written.
 int perceive(const PerceiveOptions& options);
+
+struct JudgedPair {
+  StereoFrame frame;
+  JudgedFrame judged;
+};
+
+/// The same, for who wants to say what was found.
+JudgedPair perceive_pair(const PerceiveOptions& options);
 
 }  // namespace striate::app

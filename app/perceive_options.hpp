@@ -3,14 +3,18 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace striate::app {
 
-/// What `striate perceive` is asked: one image pair, any pair, and where the answers go.
+/// What `striate perceive` is asked of each image pair, and where the answers go.
 struct PerceiveOptions {
   std::filesystem::path left;
-  std::filesystem::path right;        ///< empty: one eye; saliency, keypoints and overview only
-  std::filesystem::path out;          ///< folder; made where missing
+  std::filesystem::path right;  ///< empty: one eye; saliency, keypoints and overview only
+  std::filesystem::path out;    ///< folder; made where missing
+  std::vector<std::filesystem::path> calibration;  ///< of both eyes, or the left's and the right's
+  bool rectified = false;  ///< the pictures are rectified already, whatever the calibration is of
+  bool exchanged = false;  ///< what is called left is the right eye
   std::string mode = "robust";        ///< or "paper"
   int width_px = 160;                 ///< working width; the paper's
   int candidates = 0;                 ///< disparities searched; 0: 150 at width 160, in scale

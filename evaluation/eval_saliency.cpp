@@ -10,11 +10,11 @@
 #include "striate/base/index_within.hpp"
 #include "striate/evaluation/evaluation.hpp"
 #include "striate/evaluation/fixations.hpp"
-#include "striate/evaluation/images/read_image.hpp"
 #include "striate/evaluation/plot.hpp"
 #include "striate/evaluation/report.hpp"
 #include "striate/evaluation/saliency_scores.hpp"
 #include "striate/perception/saliency/saliency.hpp"
+#include "striate/platform/datasets/images/read_image.hpp"
 
 namespace striate::evaluation {
 namespace {
@@ -134,7 +134,7 @@ int evaluate_saliency(const EvalOptions& options) {
   int pictures = 0;
   for (const auto& [name, points] : fixations) {
     const fs::path inner = folder / "stimuli" / name;
-    judge(read_any_image(fs::exists(inner) ? inner : folder / name), points, all);
+    judge(datasets::read_any_image(fs::exists(inner) ? inner : folder / name), points, all);
     ++pictures;
   }
   tell(all, pictures, options.out);

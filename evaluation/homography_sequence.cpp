@@ -8,8 +8,8 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "striate/base/user_error.hpp"
-#include "striate/evaluation/images/read_image.hpp"
 #include "striate/evaluation/images/set_files.hpp"
+#include "striate/platform/datasets/images/read_image.hpp"
 
 namespace striate::evaluation {
 namespace {
@@ -76,12 +76,12 @@ HomographySequence read_homography_sequence(const fs::path& folder) {
   HomographySequence sequence;
   sequence.name = fs::absolute(folder).lexically_normal().filename().string();
   if (sequence.name.empty()) sequence.name = folder.parent_path().filename().string();
-  sequence.pictures.push_back(read_any_grey(picture_file(folder, *layout, 1)));
+  sequence.pictures.push_back(datasets::read_any_grey(picture_file(folder, *layout, 1)));
   for (int number = 2;; ++number) {
     const fs::path image = picture_file(folder, *layout, number);
     const fs::path homography = homography_file(folder, *layout, number);
     if (image.empty() || !fs::is_regular_file(homography)) break;
-    sequence.pictures.push_back(read_any_grey(image));
+    sequence.pictures.push_back(datasets::read_any_grey(image));
     sequence.to.push_back(read_homography(homography));
   }
   return sequence;

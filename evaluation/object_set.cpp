@@ -10,8 +10,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "striate/base/user_error.hpp"
-#include "striate/evaluation/images/read_image.hpp"
-#include "striate/evaluation/images/set_files.hpp"
+#include "striate/platform/datasets/images/read_image.hpp"
 
 namespace striate::evaluation {
 namespace {
@@ -30,7 +29,8 @@ std::vector<fs::path> entries(const fs::path& folder, bool folders) {
   std::vector<fs::path> result;
   std::error_code missing;
   for (const auto& entry : fs::directory_iterator(folder, missing)) {
-    if (folders ? entry.is_directory() : is_image(entry.path())) result.push_back(entry.path());
+    if (folders ? entry.is_directory() : datasets::is_image(entry.path()))
+      result.push_back(entry.path());
   }
   std::ranges::sort(result);
   return result;
@@ -57,7 +57,7 @@ std::set<std::string> names_at(const json& truth, const std::string& scene) {
 
 TaughtImage taught(const fs::path& path) {
   TaughtImage image;
-  image.grey = read_any_grey(path);
+  image.grey = datasets::read_any_grey(path);
   image.region = region_of_object(image.grey);
   return image;
 }
@@ -82,7 +82,8 @@ void read_plain_objects(const fs::path& folder, ObjectSet& set) {
 void read_scenes(const fs::path& folder, const json& truth, ObjectSet& set) {
   for (const fs::path& path : entries(folder / "scenes", false)) {
     const std::string stem = path.stem().string();
-    ObjectScene scene{path.filename().string(), read_any_grey(path), names_at(truth, stem), {}};
+    ObjectScene scene{
+        path.filename().string(), datasets::read_any_grey(path), names_at(truth, stem), {}};
     scene.present.merge(names_at(truth, path.filename().string()));
     if (truth.contains("back")) scene.not_judged = names_at(truth["back"], stem);
     for (const std::string& name : scene.not_judged) scene.present.erase(name);
@@ -96,7 +97,7 @@ void read_pairs(const fs::path& folder, ObjectSet& set) {
     const fs::path scene = folder / (name + "_in_scene" + path.extension().string());
     if (!fs::exists(scene)) continue;
     set.objects.push_back({name, {taught(path)}});
-    set.scenes.push_back({scene.filename().string(), read_any_grey(scene), {name}, {}});
+    set.scenes.push_back({scene.filename().string(), datasets::read_any_grey(scene), {name}, {}});
   }
 }
 

@@ -9,8 +9,8 @@
 #include <sstream>
 
 #include "striate/base/user_error.hpp"
-#include "striate/evaluation/images/read_image.hpp"
 #include "striate/evaluation/images/set_files.hpp"
+#include "striate/platform/datasets/images/read_image.hpp"
 
 namespace striate::evaluation {
 namespace {
@@ -38,7 +38,7 @@ std::vector<fs::path> sorted_entries(const fs::path& folder) {
 /// The image of that name with any suffix; empty where there is none.
 fs::path image_named(const fs::path& folder, const std::string& stem) {
   for (const fs::path& entry : sorted_entries(folder)) {
-    if (entry.stem() == stem && is_image(entry)) return entry;
+    if (entry.stem() == stem && datasets::is_image(entry)) return entry;
   }
   return {};
 }
@@ -88,9 +88,9 @@ PatchSet from_sequences(const std::vector<SequencePair>& pictures, const PatchCh
   fs::path seen;
   std::vector<cv::KeyPoint> first;
   for (const SequencePair& pair : pictures) {
-    if (pair.first != seen) first = sift_frames(read_any_grey(pair.first));
+    if (pair.first != seen) first = sift_frames(datasets::read_any_grey(pair.first));
     seen = pair.first;
-    offers.push_back({pair, frame_pairs(first, sift_frames(read_any_grey(pair.second)),
+    offers.push_back({pair, frame_pairs(first, sift_frames(datasets::read_any_grey(pair.second)),
                                         pair.homography, choice.tolerance)});
   }
   const std::size_t share = fair_share(offers, static_cast<std::size_t>(choice.pairs));
@@ -99,8 +99,8 @@ PatchSet from_sequences(const std::vector<SequencePair>& pictures, const PatchCh
   std::uint64_t seed = choice.seed;
   for (const Offer& offer : offers) {
     const std::size_t most = std::min({share, left, offer.frames.size()});
-    add_pairs(read_any_grey(offer.pictures.first), read_any_grey(offer.pictures.second),
-              offer.frames, most, ++seed, set);
+    add_pairs(datasets::read_any_grey(offer.pictures.first),
+              datasets::read_any_grey(offer.pictures.second), offer.frames, most, ++seed, set);
     left -= most;
   }
   return set;
@@ -172,8 +172,8 @@ PatchSet from_mosaics(const fs::path& folder, const PatchChoice& choice) {
   const auto wanted = static_cast<std::size_t>((set.count + kPatches - 1) / kPatches);
   for (const fs::path& entry : sorted_entries(folder)) {
     if (set.mosaics.size() == wanted) break;
-    if (!is_image(entry)) continue;
-    set.mosaics.push_back(read_any_grey(entry));
+    if (!datasets::is_image(entry)) continue;
+    set.mosaics.push_back(datasets::read_any_grey(entry));
     if (set.mosaics.back().size() != cv::Size(1024, 1024)) {
       throw UserError(fmt::format("{}: expected 1024x1024 px", entry.string()));
     }

@@ -10,8 +10,8 @@
 #include "striate/base/index_within.hpp"
 #include "striate/base/user_error.hpp"
 #include "striate/evaluation/images/pfm.hpp"
-#include "striate/evaluation/images/read_image.hpp"
 #include "striate/evaluation/images/set_files.hpp"
+#include "striate/platform/datasets/images/read_image.hpp"
 
 namespace striate::evaluation {
 namespace {
@@ -138,7 +138,7 @@ StereoFolders find_stereo_folders(const fs::path& root) {
 }
 
 StereoPair read_stereo_pair(const StereoFolder& folder, cv::Size size) {
-  const auto [left, right] = read_grey_pair(folder.left, folder.right);
+  const auto [left, right] = datasets::read_grey_pair(folder.left, folder.right);
   const cv::Mat1f truth = judged_truth(folder, left.size());
   StereoPair pair;
   pair.name = folder.name;

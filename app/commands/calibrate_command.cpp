@@ -7,7 +7,7 @@
 #include "striate/base/user_error.hpp"
 #include "striate/evaluation/calibration/board_images.hpp"
 #include "striate/evaluation/calibration/calibrate_stereo.hpp"
-#include "striate/evaluation/images/read_image.hpp"
+#include "striate/platform/datasets/images/read_image.hpp"
 
 namespace striate::app {
 namespace {
@@ -47,10 +47,10 @@ Looks look_at_all(const evaluation::BoardFolder& folder, const CalibrateOptions&
   Looks looks;
   for (const evaluation::BoardFiles& files : folder.looks) {
     if (files.right.empty()) {
-      const auto [left, right] = evaluation::read_side_by_side(files.left);
+      const auto [left, right] = datasets::read_side_by_side(files.left);
       look(files.name, left, right, options, looks);
     } else {
-      const auto [left, right] = evaluation::read_grey_pair(files.left, files.right);
+      const auto [left, right] = datasets::read_grey_pair(files.left, files.right);
       look(files.name, left, right, options, looks);
     }
   }

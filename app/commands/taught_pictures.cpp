@@ -12,8 +12,7 @@
 #include "striate/agent/teaching/image_view.hpp"
 #include "striate/agent/teaching/thing_in_picture.hpp"
 #include "striate/base/user_error.hpp"
-#include "striate/evaluation/images/read_image.hpp"
-#include "striate/evaluation/images/set_files.hpp"
+#include "striate/platform/datasets/images/read_image.hpp"
 
 namespace striate::app {
 namespace {
@@ -28,7 +27,7 @@ std::vector<std::string> image_files(const std::vector<std::string>& given) {
     }
     std::vector<std::string> inside;
     for (const auto& entry : std::filesystem::directory_iterator(one)) {
-      if (evaluation::is_image(entry.path())) inside.push_back(entry.path());
+      if (datasets::is_image(entry.path())) inside.push_back(entry.path());
     }
     if (inside.empty()) {
       throw UserError(fmt::format("{}: no image in it (png, jpg, bmp, ppm, pgm, tif, webp)", one));
@@ -121,7 +120,7 @@ PictureViews views_of_pictures(const TaughtPictures& given,
   const std::vector<cv::Rect> crops = crops_for(given, files.size());
   PictureViews seen;
   for (std::size_t k = 0; k < files.size(); ++k) {
-    const Picture picture{files[k], evaluation::read_any_image(files[k])};
+    const Picture picture{files[k], datasets::read_any_image(files[k])};
     if (crops.empty()) {
       add_thing(picture, given.whole, settings, seen);
     } else {

@@ -6,7 +6,7 @@
 #include <map>
 
 #include "striate/base/user_error.hpp"
-#include "striate/evaluation/images/set_files.hpp"
+#include "striate/platform/datasets/images/read_image.hpp"
 
 namespace striate::evaluation {
 namespace {
@@ -23,7 +23,7 @@ std::map<std::string, fs::path> board_pictures(const fs::path& folder) {
   std::map<std::string, fs::path> found;
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(folder, error)) {
-    if (!is_image(entry.path())) continue;
+    if (!datasets::is_image(entry.path())) continue;
     const auto [there, is_new] = found.emplace(entry.path().stem().string(), entry.path());
     if (is_new) continue;
     throw UserError(fmt::format(

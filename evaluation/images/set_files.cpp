@@ -1,7 +1,5 @@
 #include "striate/evaluation/images/set_files.hpp"
 
-#include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <fstream>
 #include <opencv2/imgcodecs.hpp>
@@ -9,14 +7,6 @@
 #include "striate/base/user_error.hpp"
 
 namespace striate::evaluation {
-
-bool is_image(const std::filesystem::path& file) {
-  constexpr const char* kSuffixes[] = {".png", ".jpg", ".jpeg", ".pgm",  ".ppm",
-                                       ".pnm", ".bmp", ".tif",  ".tiff", ".webp"};
-  std::string suffix = file.extension().string();
-  std::ranges::transform(suffix, suffix.begin(), [](unsigned char c) { return std::tolower(c); });
-  return std::ranges::find(kSuffixes, suffix) != std::end(kSuffixes);
-}
 
 cv::Mat1b read_values(const std::filesystem::path& file) {
   cv::Mat1b image = cv::imread(file.string(), cv::IMREAD_GRAYSCALE);

@@ -5,7 +5,7 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "striate/base/user_error.hpp"
-#include "striate/evaluation/images/read_image.hpp"
+#include "striate/platform/datasets/images/read_image.hpp"
 #include "tests/fuzz/fuzz_target.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -14,7 +14,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   std::ofstream(file, std::ios::binary)
       .write(reinterpret_cast<const char*>(data), static_cast<std::streamsize>(size));
   try {
-    (void)striate::evaluation::read_any_image(file);
+    (void)striate::datasets::read_any_image(file);
   } catch (const striate::UserError&) {
   }
   std::filesystem::remove(file);

@@ -10,9 +10,9 @@
 
 #include "striate/app/perceive.hpp"
 #include "striate/base/user_error.hpp"
-#include "striate/evaluation/images/image_header.hpp"
 #include "striate/evaluation/images/pfm.hpp"
-#include "striate/evaluation/images/read_image.hpp"
+#include "striate/platform/datasets/images/image_header.hpp"
+#include "striate/platform/datasets/images/read_image.hpp"
 
 namespace striate::app {
 namespace {
@@ -50,7 +50,7 @@ class HostileInput : public testing::Test {
   }
   [[nodiscard]] static std::string error_of(const fs::path& file) {
     try {
-      (void)evaluation::read_any_image(file);
+      (void)datasets::read_any_image(file);
     } catch (const UserError& e) {
       return e.what();
     }
@@ -95,7 +95,7 @@ TEST_F(HostileInput, AFileThatWasCutOffAnywhereIsNoImage) {
   for (const char* kind : {".png", ".jpg", ".ppm", ".bmp", ".tiff", ".webp"}) {
     std::vector<uchar> bytes;
     cv::imencode(kind, whole, bytes);
-    EXPECT_EQ(evaluation::read_any_image(write_bytes(bytes)).size(), whole.size()) << kind;
+    EXPECT_EQ(datasets::read_any_image(write_bytes(bytes)).size(), whole.size()) << kind;
     for (const double share : {0.3, 0.6, 0.95}) {
       std::vector<uchar> part = bytes;
       part.resize(static_cast<std::size_t>(share * static_cast<double>(bytes.size())));
@@ -115,7 +115,7 @@ TEST_F(HostileInput, AHugeSizeInTheHeaderIsRefusedBeforeAnythingIsDecoded) {
   for (const char* kind : {".png", ".jpg", ".bmp", ".tiff", ".webp"}) {
     std::vector<uchar> bytes;
     cv::imencode(kind, cv::Mat3b(32, 32), bytes);
-    const std::optional<evaluation::ImageHeader> header = evaluation::read_image_header(bytes);
+    const std::optional<datasets::ImageHeader> header = datasets::read_image_header(bytes);
     ASSERT_TRUE(header.has_value()) << kind;
     EXPECT_EQ(header->width_px, 32) << kind;
     EXPECT_EQ(header->height_px, 32) << kind;
@@ -139,10 +139,9 @@ TEST_F(HostileInput, FloatingPointPixelsAreSaidToBeThat) {
 }
 
 TEST_F(HostileInput, SixteenBitsAreScaledAndAlphaIsDropped) {
-  const cv::Mat3b deep = evaluation::read_any_image(write(cv::Mat1w(32, 32, ushort{200 * 257})));
+  const cv::Mat3b deep = datasets::read_any_image(write(cv::Mat1w(32, 32, ushort{200 * 257})));
   EXPECT_EQ(deep(5, 5), cv::Vec3b::all(200));
-  const cv::Mat3b clear =
-      evaluation::read_any_image(write(cv::Mat4b(32, 32, cv::Vec4b(9, 8, 7, 0))));
+  const cv::Mat3b clear = datasets::read_any_image(write(cv::Mat4b(32, 32, cv::Vec4b(9, 8, 7, 0))));
   EXPECT_EQ(clear(5, 5), cv::Vec3b(9, 8, 7));
 }
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <span>
 
-namespace striate::evaluation {
+namespace striate::datasets {
 
 /// What the first bytes of an image file promise, and whether the file keeps it.
 struct ImageHeader {
@@ -27,4 +27,4 @@ struct ImageHeader {
 /// WebP.
 [[nodiscard]] std::optional<ImageHeader> read_image_header(std::span<const std::uint8_t> bytes);
 
-}  // namespace striate::evaluation
+}  // namespace striate::datasets

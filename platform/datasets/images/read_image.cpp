@@ -1,8 +1,9 @@
-#include "striate/evaluation/images/read_image.hpp"
+#include "striate/platform/datasets/images/read_image.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cstdint>
 #include <fstream>
 #include <iterator>
@@ -13,10 +14,10 @@
 #include <vector>
 
 #include "striate/base/user_error.hpp"
-#include "striate/evaluation/images/image_header.hpp"
+#include "striate/platform/datasets/images/image_header.hpp"
 #include "striate/platform/interface/pixel_range.hpp"
 
-namespace striate::evaluation {
+namespace striate::datasets {
 namespace {
 
 namespace fs = std::filesystem;
@@ -208,6 +209,14 @@ constexpr int kGreyAsItIs = cv::IMREAD_GRAYSCALE | cv::IMREAD_ANYDEPTH;
 
 }  // namespace
 
+bool is_image(const std::filesystem::path& file) {
+  constexpr const char* kSuffixes[] = {".png", ".jpg", ".jpeg", ".pgm",  ".ppm",
+                                       ".pnm", ".bmp", ".tif",  ".tiff", ".webp"};
+  std::string suffix = file.extension().string();
+  std::ranges::transform(suffix, suffix.begin(), [](unsigned char c) { return std::tolower(c); });
+  return std::ranges::find(kSuffixes, suffix) != std::end(kSuffixes);
+}
+
 cv::Mat3b read_any_image(const fs::path& file) {
   const RawPicture raw = read_raw(file, cv::IMREAD_UNCHANGED);
   return as_colour(file, of_eight_bits(raw, bits_used(raw.pixels)));
@@ -237,4 +246,12 @@ GreyPair read_side_by_side(const fs::path& file) {
   return {both.colRange(0, half), both.colRange(half, 2 * half)};
 }
 
-}  // namespace striate::evaluation
+EyePair read_both_eyes(const fs::path& file) {
+  const RawPicture raw = read_raw(file, cv::IMREAD_UNCHANGED);
+  refuse_turned(file, raw);
+  const cv::Mat3b both = as_colour(file, of_eight_bits(raw, bits_used(raw.pixels)));
+  const int half = both.cols / 2;
+  return {both.colRange(0, half), both.colRange(half, 2 * half)};
+}
+
+}  // namespace striate::datasets

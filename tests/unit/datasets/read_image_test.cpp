@@ -1,4 +1,4 @@
-#include "striate/evaluation/images/read_image.hpp"
+#include "striate/platform/datasets/images/read_image.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 #include "striate/base/user_error.hpp"
 #include "tests/reference/temporary_folder.hpp"
 
-namespace striate::evaluation {
+namespace striate::datasets {
 namespace {
 
 namespace fs = std::filesystem;
@@ -221,4 +221,4 @@ TEST_F(ReadImage, BothEyesHaveTheSameWhite) {
 }
 
 }  // namespace
-}  // namespace striate::evaluation
+}  // namespace striate::datasets

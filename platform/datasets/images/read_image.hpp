@@ -3,7 +3,10 @@
 #include <filesystem>
 #include <opencv2/core/mat.hpp>
 
-namespace striate::evaluation {
+namespace striate::datasets {
+
+/// By the suffix, in either case: what read_any_image() reads.
+[[nodiscard]] bool is_image(const std::filesystem::path& file);
 
 /// 8 or 16 bit, grey, colour, with or without alpha, as 8-bit BGR: PNG, JPEG, PGM/PPM, BMP, TIFF
 /// or WebP, whatever the file is called; sides of at least 16 px and at most 40 million pixels, one
@@ -40,5 +43,6 @@ struct GreyPair {
 
 /// The same of one file that holds both eyes side by side, the left one first.
 [[nodiscard]] GreyPair read_side_by_side(const std::filesystem::path& file);
+[[nodiscard]] EyePair read_both_eyes(const std::filesystem::path& file);
 
-}  // namespace striate::evaluation
+}  // namespace striate::datasets

@@ -1,4 +1,4 @@
-#include "striate/evaluation/images/image_header.hpp"
+#include "striate/platform/datasets/images/image_header.hpp"
 
 #include <algorithm>
 #include <array>
@@ -8,7 +8,7 @@
 
 #include "striate/base/crc_table.hpp"
 
-namespace striate::evaluation {
+namespace striate::datasets {
 namespace {
 
 /// Sides beyond are refused anyway; products of smaller ones fit 64 bits.
@@ -235,4 +235,4 @@ std::optional<ImageHeader> read_image_header(std::span<const std::uint8_t> data)
   return std::nullopt;
 }
 
-}  // namespace striate::evaluation
+}  // namespace striate::datasets
