@@ -37,7 +37,7 @@ constexpr const char* kAbout =
     "  striate sim corridor_a --serve\n"
     "      offers the simulated Pioneer on TCP to any ARCOS client; 'striate drive' is one\n"
     "  striate perceive --left L.png --right R.png --out DIR\n"
-    "      shows what the vision makes of any image pair\n"
+    "      shows what the vision makes of any image pair; of a folder, a video or a data set, too\n"
     "  striate eval patches DIR\n"
     "      measures the vision on your own data, beside OpenCV's methods\n"
     "  striate teach book --image cover.png --memory home.db\n"
@@ -85,6 +85,7 @@ int run(int argc, char** argv) {
   add_recall_command(app, exit_code);
   add_trial_command(app, exit_code);
   add_perceive_command(app, exit_code);
+  add_recognise_command(app, exit_code);
   add_sim_command(app, exit_code);
   add_world_command(app, exit_code);
   add_task_command(app, exit_code);

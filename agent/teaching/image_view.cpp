@@ -15,18 +15,6 @@ constexpr int kLongestSide_px = 640;
 constexpr int kShortestSide_px = 16;  ///< below it there is nothing to look for
 constexpr int kJpegQuality = 90;      ///< of 100: so mild that no blocks are seen (ours)
 
-cv::Mat3b shrunk(const cv::Mat3b& image) {
-  const int side = std::max(image.cols, image.rows);
-  if (side <= kLongestSide_px) return image;
-  const double scale = static_cast<double>(kLongestSide_px) / side;
-  cv::Mat3b small;
-  // A strip a pixel high stays one pixel high.
-  const cv::Size size(std::max(1, cvRound(scale * image.cols)),
-                      std::max(1, cvRound(scale * image.rows)));
-  cv::resize(image, small, size, 0.0, 0.0, cv::INTER_AREA);
-  return small;
-}
-
 void keep_inside(const cv::Mat1b& inside, const cv::Size& size,
                  std::vector<perception::Keypoint>& points) {
   cv::Mat1b small;
@@ -44,13 +32,25 @@ perception::ViewKeypoint stored(const perception::Keypoint& point) {
 
 }  // namespace
 
+cv::Mat3b picture_to_learn(const cv::Mat3b& image) {
+  const int side = std::max(image.cols, image.rows);
+  if (side <= kLongestSide_px) return image;
+  const double scale = static_cast<double>(kLongestSide_px) / side;
+  cv::Mat3b small;
+  // A strip a pixel high stays one pixel high.
+  const cv::Size size(std::max(1, cvRound(scale * image.cols)),
+                      std::max(1, cvRound(scale * image.rows)));
+  cv::resize(image, small, size, 0.0, 0.0, cv::INTER_AREA);
+  return small;
+}
+
 std::vector<perception::Keypoint> keypoints_to_learn(const cv::Mat1b& grey) {
   return perception::OrientedKeypoints(perception::OrientedSettings{})(grey);
 }
 
 memory::StoredView view_of_image(const cv::Mat3b& image, const memory::LongTermSettings& settings,
                                  const cv::Mat1b& inside) {
-  const cv::Mat3b small = shrunk(image);
+  const cv::Mat3b small = picture_to_learn(image);
   memory::StoredView view;
   view.width_px = small.cols;
   view.height_px = small.rows;

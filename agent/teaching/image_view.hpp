@@ -11,6 +11,9 @@ namespace striate::agent {
 /// The keypoints that teach from an image and recognise in one: the only place that says which.
 [[nodiscard]] std::vector<perception::Keypoint> keypoints_to_learn(const cv::Mat1b& grey);
 
+/// A picture at the size that views are taught at: larger ones than 640 px are shrunk.
+[[nodiscard]] cv::Mat3b picture_to_learn(const cv::Mat3b& image);
+
 /// A view of what an image shows, with the image itself as JPEG. Larger images than 640 px are
 /// shrunk first; of too many keypoints the strongest stay.
 /// @param inside of the image's size: keypoints are taken where it is not 0; empty: everywhere
