@@ -1,6 +1,7 @@
 #include <memory>
 
 #include "striate/app/commands/commands.hpp"
+#include "striate/app/commands/eval_odometry_command.hpp"
 #include "striate/base/files.hpp"
 #include "striate/evaluation/evaluation.hpp"
 
@@ -62,6 +63,7 @@ void add_eval_command(CLI::App& app, int& exit_code) {
       exit_code = evaluate(*options);
     });
   }
+  add_eval_odometry(*command, exit_code);
 }
 
 }  // namespace striate::app
