@@ -3,6 +3,14 @@
 #include <stdexcept>
 
 namespace striate::tasks {
+namespace {
+
+NodeState ended_as(NodeStatus outcome) {
+  if (outcome == NodeStatus::succeeded) return NodeState::succeeded;
+  return outcome == NodeStatus::failed ? NodeState::failed : NodeState::skipped;
+}
+
+}  // namespace
 
 void TaskNode::begin(TaskCycle& cycle) {
   if (state_ != State::idle) return;
@@ -14,7 +22,10 @@ NodeStatus TaskNode::tick(TaskCycle& cycle) {
   if (state_ == State::halting) throw std::logic_error("a node that is being halted was ticked");
   begin(cycle);
   const NodeStatus outcome = on_tick(cycle);
-  if (outcome != NodeStatus::running) state_ = State::idle;
+  if (outcome != NodeStatus::running) {
+    state_ = State::idle;
+    last_ = ended_as(outcome);
+  }
   return outcome;
 }
 
@@ -25,6 +36,7 @@ bool TaskNode::halt(TaskCycle& cycle) {
   state_ = State::halting;
   if (!on_halt(cycle)) return false;
   state_ = State::idle;
+  last_ = NodeState::halted;
   return true;
 }
 

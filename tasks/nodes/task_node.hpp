@@ -10,6 +10,9 @@ namespace striate::tasks {
 /// How a node came out. `skipped`: its `only_if` did not hold, so it was neither good nor bad.
 enum class NodeStatus : std::uint8_t { running, succeeded, failed, skipped };
 
+/// How a node stands, to be shown: before its first run, in a run, or how the last one came out.
+enum class NodeState : std::uint8_t { waiting, running, succeeded, failed, skipped, halted };
+
 /// A node of a task's tree, with the semantics of behaviour trees: it is ticked once a cycle until
 /// it ends, or is halted. It starts with the first tick and may be run again after its end.
 /// Kinds derive and implement the three on_ functions; the order of calls is kept here.
@@ -29,6 +32,8 @@ class TaskNode {
   /// nothing runs. What two nodes above ask in one cycle is passed on once.
   bool halt(TaskCycle& cycle);
   [[nodiscard]] bool runs() const { return state_ != State::idle; }
+  /// For who looks on; nothing is decided by it.
+  [[nodiscard]] NodeState shown() const { return runs() ? NodeState::running : last_; }
 
  protected:
   /// Once before the first tick of each run. Children start with their own first tick.
@@ -40,7 +45,8 @@ class TaskNode {
  private:
   enum class State : std::uint8_t { idle, running, halting };
   State state_ = State::idle;
-  long asked_to_halt_in_ = 0;  ///< number of the cycle
+  NodeState last_ = NodeState::waiting;  ///< how the last run came out
+  long asked_to_halt_in_ = 0;            ///< number of the cycle
 };
 
 using NodePtr = std::unique_ptr<TaskNode>;

@@ -73,6 +73,7 @@ Branch StepReader::sequence(const Node& node, const std::string& key, bool keep_
   branch.outline.place = node.place;
   branch.outline.children = std::move(children.outlines);
   branch.node = std::make_unique<SequenceNode>(std::move(children.nodes), keep_going);
+  branch.outline.node = branch.node.get();
   return branch;
 }
 
@@ -96,6 +97,7 @@ Branch StepReader::step(const Node& node) {
   recover(node, branch);
   make_optional(node, branch);
   guard(node, branch);
+  branch.outline.node = branch.node.get();
   return branch;
 }
 

@@ -8,6 +8,8 @@
 
 namespace striate::tasks {
 
+class TaskNode;
+
 /// A task as a person draws it: one outline a step, with what it says about itself. Made by the
 /// reader beside the tree that runs; text, SVG and XML are drawn from it.
 struct Outline {
@@ -37,6 +39,8 @@ struct Outline {
   int times = 0;  ///< of a repeat (0: for ever) and of a recovery
   config::SourceLocation place;
   std::vector<Outline> children;
+  /// What runs it, as long as the task lives; nullptr: nothing runs by itself, as a guard.
+  const TaskNode* node = nullptr;
 };
 
 /// The tree in lines of text, for a terminal.

@@ -50,6 +50,8 @@ std::vector<ChannelInfo> make_channel_list() {
       json_channel(Topic::memory_events, "/striate/memory/events", "striate.MemoryEvents",
                    kMemoryEventsSchema),
       json_channel(Topic::cycle, "/striate/cycle", "striate.Cycle", kCycleSchema),
+      json_channel(Topic::seen, "/striate/seen", "striate.Seen", kSeenSchema),
+      json_channel(Topic::task_nodes, "/striate/task/nodes", "striate.TaskNodes", kTaskNodesSchema),
   };
 }
 

@@ -36,10 +36,12 @@ enum class Topic : std::uint8_t {
   wish,
   short_term,
   memory_events,
-  cycle
+  cycle,
+  seen,
+  task_nodes
 };
 
-inline constexpr std::size_t kTopics = static_cast<std::size_t>(Topic::cycle) + 1;
+inline constexpr std::size_t kTopics = static_cast<std::size_t>(Topic::task_nodes) + 1;
 
 /// Some of the channels; the place of each is its Topic.
 using TopicSet = std::bitset<kTopics>;

@@ -6,6 +6,7 @@
 #include "striate/viewer/channels/body_messages.hpp"
 #include "striate/viewer/channels/mind_messages.hpp"
 #include "striate/viewer/channels/ros_stamps.hpp"
+#include "striate/viewer/channels/seen_json.hpp"
 
 namespace striate::viewer {
 
@@ -78,6 +79,7 @@ void Channels::publish_vision(const CycleFacts& facts) {
     send(Topic::saliency, saliency_);
   }
   send(Topic::obstacles, obstacles_of(facts));
+  if (wants(Topic::seen)) send_json(Topic::seen, seen_json(facts, robot_));
 }
 
 void Channels::publish_slow(const CycleFacts& facts) {
@@ -97,6 +99,10 @@ void Channels::publish_reports(const CycleFacts& facts) {
   if (said != task_said_) {
     task_said_ = said;
     send_json(Topic::task, task_json(facts, mission_, tree_));
+  }
+  if (const std::string nodes = facts.nodes + facts.node_reason; nodes != nodes_said_) {
+    nodes_said_ = nodes;
+    send_json(Topic::task_nodes, {{"states", facts.nodes}, {"reason", facts.node_reason}});
   }
   send_json(Topic::wish, wish_json(facts));
   if (!facts.recognised.empty() || !facts.lessons.empty()) {

@@ -45,7 +45,8 @@ class Channels {
   LogTeller log_;
   TimePoint laser_stamp_{Duration::min()};
   TimePoint sonar_stamp_{Duration::min()};
-  std::string task_said_;  ///< state and action of the last message about the task
+  std::string nodes_said_;  ///< of the last message about its nodes
+  std::string task_said_;   ///< state and action of the last message about the task
 
   TopicSet wanted_ = TopicSet().set();
 

@@ -1,9 +1,11 @@
 #include "striate/viewer/channels/cycle_facts.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "striate/agent/recall/memory_state.hpp"
 #include "striate/memory/long_term/records.hpp"
+#include "striate/tasks/nodes/task_node.hpp"
 
 namespace striate::viewer {
 namespace {
@@ -92,6 +94,51 @@ void take_map(const memory::Localisation& place, CycleFacts& facts) {
                   place.estimate().from_odometry()};
 }
 
+char letter_of_node(const tasks::TaskNode* node) {
+  if (node == nullptr) return '-';
+  switch (node->shown()) {
+    case tasks::NodeState::waiting:
+      break;
+    case tasks::NodeState::running:
+      return 'r';
+    case tasks::NodeState::succeeded:
+      return 's';
+    case tasks::NodeState::failed:
+      return 'f';
+    case tasks::NodeState::skipped:
+      return 'k';
+    case tasks::NodeState::halted:
+      return 'h';
+  }
+  return 'w';
+}
+
+void add_nodes(const tasks::Outline& outline, std::string& letters) {
+  letters += letter_of_node(outline.node);
+  for (const tasks::Outline& child : outline.children) add_nodes(child, letters);
+}
+
+/// What was recognised has its name in the sighting that was made of it, in the same order.
+void take_seen(const agent::CycleTrace& trace, SeenFacts& seen) {
+  const perception::Percept& percept = trace.percept;
+  const StereoFrame& frame = trace.senses.stereo;
+  const cv::Mat1f& map = percept.saliency.salience.empty() ? percept.disparity.disparity_px
+                                                           : percept.saliency.salience;
+  seen.working_px = map.size();
+  seen.image_px = frame.left.size();
+  seen.head = frame.head;
+  seen.focal_px = percept.disparity.focal_px;
+  seen.centre_u_px = percept.disparity.centre_u_px;
+  seen.centre_v_px = percept.disparity.centre_v_px;
+  seen.columns = percept.columns;
+  seen.keypoints = percept.keypoints;
+  seen.landmarks.clear();
+  const std::size_t named = std::min(trace.sightings.size(), percept.recognitions.size());
+  for (std::size_t k = 0; k < named; ++k) {
+    seen.landmarks.push_back({std::string(trace.sightings[k].name), percept.recognitions[k]});
+  }
+}
+
 void take_decision(const agent::CycleTrace& trace, const tasks::Executive& executive,
                    CycleFacts& facts) {
   facts.refused = trace.refused;
@@ -102,6 +149,9 @@ void take_decision(const agent::CycleTrace& trace, const tasks::Executive& execu
   facts.doing = executive.current_action();
   facts.state = executive.state();
   facts.reason = facts.state == tasks::MissionState::running ? std::string() : executive.reason();
+  facts.nodes.clear();
+  add_nodes(executive.task().outline, facts.nodes);
+  facts.node_reason = executive.reason();
   facts.recognised.clear();
   for (const memory::LandmarkSighting& one : trace.sightings) {
     facts.recognised.emplace_back(one.name);
@@ -147,6 +197,7 @@ void FactsTaker::take_vision(const agent::CycleTrace& trace, CycleFacts& facts) 
   facts.regions = percept.saliency.regions;
   facts.obstacles = percept.obstacles;
   facts.moving = percept.moving;
+  take_seen(trace, facts.seen);
 }
 
 void FactsTaker::take(const agent::CognitiveCycle& cycle, const tasks::Executive& executive,

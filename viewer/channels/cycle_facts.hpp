@@ -48,6 +48,25 @@ struct SlowFacts {
   double seen_share = 0.0;
 };
 
+/// A landmark where it was recognised; pixels of the image.
+struct SeenLandmark {
+  std::string name;
+  perception::Recognition found;
+};
+
+/// What vision found in one image beside the maps.
+struct SeenFacts {
+  cv::Size working_px;  ///< of the image that columns and regions are in
+  cv::Size image_px;    ///< of the image that keypoints and landmarks are in
+  HeadPose head;        ///< at the moment of the image
+  double focal_px = 0.0;
+  double centre_u_px = 0.0;
+  double centre_v_px = 0.0;
+  std::vector<perception::Column> columns;
+  std::vector<perception::Keypoint> keypoints;
+  std::vector<SeenLandmark> landmarks;
+};
+
 /// All that a cycle felt, saw, wanted and did.
 struct CycleFacts {
   std::uint64_t number = 0;
@@ -66,6 +85,7 @@ struct CycleFacts {
   std::vector<perception::SalientRegion> regions;
   std::vector<perception::Obstacle> obstacles;
   std::vector<perception::MovingThing> moving;
+  SeenFacts seen;
 
   behaviours::Wish wish;
   behaviours::MotorOwner driver = behaviours::MotorOwner::nobody;
@@ -75,6 +95,9 @@ struct CycleFacts {
   std::string doing;  ///< the action that ran; "": none
   tasks::MissionState state = tasks::MissionState::running;
   std::string reason;  ///< why it ended
+  /// A letter a node of the task's outline, each before its children (json_schemas.hpp).
+  std::string nodes;
+  std::string node_reason;  ///< of the newest failure
 
   std::vector<std::string> recognised;  ///< landmarks in the image of this cycle
   struct Lesson {

@@ -121,4 +121,58 @@ inline constexpr const char* kCycleSchema = R"({
   }
 })";
 
+/// What was found in an image, in pixels of it; a message a new image. Pixels of `width_px` x
+/// `height_px`, which may be fewer than the image's own.
+inline constexpr const char* kSeenSchema = R"({
+  "$schema": "https://json-schema.org/draft/2020-12/schema",
+  "title": "striate.Seen", "type": "object", "additionalProperties": false,
+  "required": ["stamp_s", "width_px", "height_px", "camera", "columns", "regions", "keypoints",
+               "landmarks", "people"],
+  "properties": {
+    "stamp_s": {"type": "number", "description": "of the image, on the mission's clock"},
+    "width_px": {"type": "integer"}, "height_px": {"type": "integer"},
+    "camera": {"type": "object", "properties": {
+      "height_m": {"type": "number"}, "forward_m": {"type": "number"},
+      "pan_rad": {"type": "number"}, "tilt_rad": {"type": "number"},
+      "focal_px": {"type": "number"}, "centre_u_px": {"type": "number"},
+      "centre_v_px": {"type": "number"}}},
+    "columns": {"type": "array", "description": "some of the image's, left to right",
+      "items": {"type": "object", "properties": {
+        "u_px": {"type": "integer"}, "bearing_rad": {"type": "number"},
+        "free_from_m": {"type": "number"}, "free_to_m": {"type": "number"},
+        "obstacle_m": {"type": ["number", "null"]}}}},
+    "regions": {"type": "array", "description": "most salient first",
+      "items": {"type": "object", "properties": {
+        "u_px": {"type": "number"}, "v_px": {"type": "number"},
+        "width_px": {"type": "number"}, "height_px": {"type": "number"},
+        "salience": {"type": "number"}, "bearing_rad": {"type": "number"},
+        "distance_m": {"type": ["number", "null"]}}}},
+    "keypoints": {"type": "array", "items": {"type": "number"},
+                  "description": "u, v, wavelength of one after the other"},
+    "landmarks": {"type": "array", "description": "that were recognised",
+      "items": {"type": "object", "properties": {
+        "name": {"type": "string"}, "score": {"type": "number"},
+        "u_px": {"type": "number"}, "v_px": {"type": "number"},
+        "width_px": {"type": "number"}, "height_px": {"type": "number"},
+        "distance_m": {"type": ["number", "null"]}}}},
+    "people": {"type": "array", "description": "what moves by itself",
+      "items": {"type": "object", "properties": {
+        "from_u_px": {"type": "integer"}, "to_u_px": {"type": "integer"},
+        "bearing_rad": {"type": "number"}, "distance_m": {"type": "number"},
+        "forward_m_s": {"type": ["number", "null"]}, "left_m_s": {"type": ["number", "null"]}}}}
+  }
+})";
+
+/// How each node of the task's tree stands; a message where one changes.
+inline constexpr const char* kTaskNodesSchema = R"({
+  "$schema": "https://json-schema.org/draft/2020-12/schema",
+  "title": "striate.TaskNodes", "type": "object", "additionalProperties": false,
+  "required": ["states", "reason"],
+  "properties": {
+    "states": {"type": "string", "description":
+      "a letter a node, each before its children: w waits, r runs, s succeeded, f failed, k skipped, h halted, - runs nothing by itself"},
+    "reason": {"type": "string", "description": "of the newest failure; empty: none"}
+  }
+})";
+
 }  // namespace striate::viewer

@@ -109,6 +109,22 @@ TEST_F(ExecutiveTest, RunsStepsInOrderAndThenFinally) {
   EXPECT_EQ(driven_, 6);
 }
 
+TEST_F(ExecutiveTest, NodesShowHowTheyStandAndHowTheyCameOut) {
+  NodePtr first = until(act({"a", 100}), 4);
+  NodePtr second = act({"b", 3, behaviours::Progress::failed});
+  NodePtr third = act({"c", 1});
+  const TaskNode* nodes[] = {first.get(), second.get(), third.get()};
+  Executive executive(task(sequence(std::move(first), std::move(second), std::move(third))));
+  EXPECT_EQ(nodes[0]->shown(), NodeState::waiting);
+  executive.tick(memory_, now_);
+  EXPECT_EQ(nodes[0]->shown(), NodeState::running);
+  EXPECT_EQ(nodes[1]->shown(), NodeState::waiting);
+  run(executive);
+  EXPECT_EQ(nodes[0]->shown(), NodeState::succeeded);
+  EXPECT_EQ(nodes[1]->shown(), NodeState::failed);
+  EXPECT_EQ(nodes[2]->shown(), NodeState::waiting);
+}
+
 TEST_F(ExecutiveTest, UntilHaltsTheActionBeforeTheNextStarts) {
   run(task(sequence(until(act({"a", 100, behaviours::Progress::failed, 3}), 4), act({"b", 1}))));
   EXPECT_EQ(state_, MissionState::succeeded);

@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "striate/tasks/nodes/task_node.hpp"
 #include "striate/tasks/show/outline.hpp"
 #include "striate/tasks/task_reader.hpp"
 
@@ -44,6 +45,12 @@ const char* const kEverything =
     "finally:\n"
     "  - stop: {}\n";
 
+int nodes_below(const Outline& outline) {
+  int count = outline.node != nullptr ? 1 : 0;
+  for (const Outline& child : outline.children) count += nodes_below(child);
+  return count;
+}
+
 /// Every tag that is opened is closed in order; nothing is left.
 bool is_well_formed(const std::string& xml) {
   std::vector<std::string> open;
@@ -61,6 +68,21 @@ bool is_well_formed(const std::string& xml) {
     }
   }
   return open.empty();
+}
+
+TEST(Show, EachStepOfAnOutlineKnowsTheNodeThatRunsIt) {
+  config::Diagnostics diagnostics(std::string(STRIATE_SOURCE_DIR "/tests/broken_tasks/t.yaml"),
+                                  'T');
+  const Task task = read_task(kEverything, diagnostics, RobotDescription{});
+  EXPECT_EQ(task.outline.node, nullptr);
+  EXPECT_EQ(task.outline.children.at(0).children.at(0).node, nullptr);  // a guard
+  const Outline& steps = task.outline.children.at(1);
+  ASSERT_EQ(steps.children.size(), 5U);
+  for (const Outline& step : steps.children) {
+    ASSERT_NE(step.node, nullptr) << step.name;
+    EXPECT_EQ(step.node->shown(), NodeState::waiting);
+  }
+  EXPECT_GT(nodes_below(task.outline), 12);
 }
 
 TEST(Show, DrawsUsedTasksWithTheirParametersInPlace) {

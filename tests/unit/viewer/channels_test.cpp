@@ -9,6 +9,7 @@
 #include "striate/viewer/channels/body_messages.hpp"
 #include "striate/viewer/channels/mind_messages.hpp"
 #include "striate/viewer/channels/ros_stamps.hpp"
+#include "striate/viewer/channels/seen_json.hpp"
 
 namespace striate::viewer {
 namespace {
@@ -39,7 +40,7 @@ TEST(ChannelList, HasAPlaceForEachTopicAndNoNameTwice) {
       EXPECT_TRUE(Json::accept(channel.schema)) << channel.name;
     }
   }
-  EXPECT_EQ(channel_list().size(), static_cast<std::size_t>(Topic::cycle) + 1);
+  EXPECT_EQ(channel_list().size(), kTopics);
 }
 
 TEST(RosStamps, BeforeTheBodyBeganHaveNanosecondsThatAreNotNegative) {
@@ -192,6 +193,51 @@ TEST(Channels, AWordThatIsNoUtf8IsReplacedInJson) {
     if (topic != Topic::task) return;
     EXPECT_TRUE(Json::accept(message.begin(), message.end()));
   });
+}
+
+TEST(SeenMessages, AreInPixelsOfTheSmallerImageAndSayNullForWhatIsNotKnown) {
+  CycleFacts facts = some_facts();
+  facts.seen.working_px = {320, 240};
+  facts.seen.image_px = {640, 480};
+  facts.seen.columns.resize(320);
+  facts.seen.columns[4].obstacle_m = 1.234567;
+  facts.seen.keypoints.resize(1);
+  facts.seen.keypoints[0].u_px = 100.0;
+  facts.seen.keypoints[0].v_px = 50.0;
+  facts.seen.keypoints[0].wavelength_px = 8.0;
+  facts.seen.landmarks.push_back({"<b>book</b>", {}});
+  facts.seen.landmarks[0].found.u_px = 320.0;
+  const Json seen = seen_json(facts, RobotDescription());
+  EXPECT_EQ(seen["columns"].size(), 80U);
+  EXPECT_EQ(seen["columns"][0]["obstacle_m"], nullptr);
+  EXPECT_EQ(seen["columns"][1]["obstacle_m"], 1.23);
+  EXPECT_EQ(seen["keypoints"], Json({50.0, 25.0, 4.0}));
+  EXPECT_EQ(seen["landmarks"][0]["name"], "<b>book</b>");
+  EXPECT_EQ(seen["landmarks"][0]["u_px"], 160.0);
+  EXPECT_EQ(seen["landmarks"][0]["distance_m"], nullptr);
+}
+
+TEST(SeenMessages, BeforeTheFirstImageAreEmptyAndNoError) {
+  const Json seen = seen_json(CycleFacts(), RobotDescription());
+  EXPECT_TRUE(seen["columns"].empty());
+  EXPECT_EQ(seen["width_px"], 0);
+}
+
+TEST(TaskNodes, AreToldWhereOneChangesAndNotElse) {
+  Channels channels(RobotDescription{}, tasks::Task{});
+  channels.want(TopicSet().set(static_cast<std::size_t>(Topic::task_nodes)));
+  std::vector<std::string> told;
+  const Channels::Sink sink = [&](Topic, std::uint64_t, ByteView message) {
+    told.emplace_back(message.begin(), message.end());
+  };
+  CycleFacts facts = some_facts();
+  for (const char* nodes : {"-rw", "-rw", "-fr", "-fr"}) {
+    facts.nodes = nodes;
+    facts.node_reason = facts.nodes == "-fr" ? "too slow" : "";
+    channels.publish(facts, sink);
+  }
+  EXPECT_THAT(told, ElementsAre(R"({"states":"-rw","reason":""})",
+                                R"({"states":"-fr","reason":"too slow"})"));
 }
 
 }  // namespace
