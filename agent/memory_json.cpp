@@ -1,5 +1,7 @@
 #include "striate/agent/memory_json.hpp"
 
+#include "striate/memory/long_term/forgetting.hpp"
+
 namespace striate::agent {
 namespace {
 
@@ -89,6 +91,18 @@ nlohmann::ordered_json to_json(const memory::ObstacleCell& cell) {
           {"row", cell.row},
           {"log_odds", cell.log_odds},
           {"seen_s", cell.seen_s}};
+}
+
+std::string fate_of(const memory::Landmark& landmark, double now_s,
+                    const memory::LongTermSettings& settings) {
+  if (landmark.retired_s) return "it is forgotten: " + landmark.retired_why;
+  const std::string forgettable = memory::why_forgettable(landmark, now_s, settings);
+  if (!forgettable.empty()) return "the next prune forgets it: " + forgettable;
+  if (landmark.pinned) return "it is pinned, so it is not forgotten";
+  if (landmark.kind == memory::LandmarkKind::taught) {
+    return "a person taught it, so it is not forgotten";
+  }
+  return "it is not forgotten: strong or active";
 }
 
 std::string print_json(const nlohmann::ordered_json& json) {

@@ -18,6 +18,10 @@ namespace striate::agent {
 [[nodiscard]] nlohmann::ordered_json to_json(const memory::Route& route);
 [[nodiscard]] nlohmann::ordered_json to_json(const memory::ObstacleCell& cell);
 
+/// Whether it will be forgotten, and why, in words: "a person taught it, so it is not forgotten".
+[[nodiscard]] std::string fate_of(const memory::Landmark& landmark, double now_s,
+                                  const memory::LongTermSettings& settings);
+
 /// Two blanks of indentation and a line break at the end; what is not UTF-8 is replaced.
 [[nodiscard]] std::string print_json(const nlohmann::ordered_json& json);
 

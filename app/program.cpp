@@ -43,6 +43,8 @@ constexpr const char* kAbout =
     "  striate teach book --image cover.png --memory home.db\n"
     "  striate memory home.db list\n"
     "      teaches a landmark from images, and looks into what is remembered\n"
+    "  striate view home.db\n"
+    "      shows a memory, a recording, a trial or a task script in a browser\n"
     "  striate check my_task.yaml my_world.yaml\n"
     "      tells every mistake of task scripts, worlds and settings\n"
     "  striate task actions\n"
@@ -99,6 +101,7 @@ int run(int argc, char** argv) {
   add_learn_descriptor_command(app, exit_code);
   add_teach_command(app, exit_code);
   add_memory_command(app, exit_code);
+  add_view_command(app, exit_code);
   add_help_command(app, exit_code);
   refuse_empty_names(app);
   return parse(app, {argv + 1, argv + argc}) ? exit_code : 2;

@@ -7,17 +7,21 @@ folder="$(dirname "${BASH_SOURCE[0]}")"
 lists=("$folder/packages.txt")
 for option in "$@"; do
   case "$option" in
-    --browser) # Node.js of another source brings npm along, and Debian's does not go with it
-      command -v node >/dev/null && command -v npm >/dev/null && continue
-      lists+=("$folder/packages_browser.txt") ;;
+    --browser) lists+=("$folder/packages_browser.txt") ;;
     --ros | --arm64) lists+=("$folder/packages_${option#--}.txt") ;;
     *) echo "usage: install_packages.sh [--ros] [--arm64] [--browser]" >&2; exit 2 ;;
   esac
 done
 
+# Node.js of another source brings npm along, and Debian's does not go with it.
+has_node() { command -v node >/dev/null && command -v npm >/dev/null; }
+
 missing=()
 while read -r package; do
-  case "$package" in ''|'#'*) continue ;; esac
+  case "$package" in
+    ''|'#'*) continue ;;
+    nodejs|npm) has_node && continue ;;
+  esac
   dpkg-query -W -f='${Status}' "$package" 2>/dev/null | grep -q '^install ok installed$' || missing+=("$package")
 done < <(cat "${lists[@]}")
 [ ${#missing[@]} -eq 0 ] && exit 0

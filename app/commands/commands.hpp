@@ -26,6 +26,7 @@ void add_eval_command(CLI::App& app, int& exit_code);
 void add_learn_descriptor_command(CLI::App& app, int& exit_code);
 void add_teach_command(CLI::App& app, int& exit_code);
 void add_memory_command(CLI::App& app, int& exit_code);
+void add_view_command(CLI::App& app, int& exit_code);
 /// Explains all the others, so it comes last.
 void add_help_command(CLI::App& app, int& exit_code);
 

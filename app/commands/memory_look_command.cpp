@@ -116,17 +116,7 @@ void why(const MemoryCommandOptions& options, const std::string& name, const std
         memory::Situation situation{tables.sessions.operating_now_s(), 0, {}};
         if (!goal.empty()) situation.goal = memory::find_landmark(tables, goal).id;
         const std::vector<memory::Route> routes = tables.places.routes();
-        std::string keeps = memory::why_forgettable(landmark, situation.now_s, settings);
-        if (landmark.retired_s) {
-          keeps = "it is forgotten: " + landmark.retired_why;
-        } else if (!keeps.empty()) {
-          keeps = "the next prune forgets it: " + keeps;
-        } else {
-          keeps = landmark.pinned ? "it is pinned, so it is not forgotten"
-                  : landmark.kind == memory::LandmarkKind::taught
-                      ? "a person taught it, so it is not forgotten"
-                      : "it is not forgotten: strong or active";
-        }
+        const std::string keeps = agent::fate_of(landmark, situation.now_s, settings);
         if (options.json) {
           const memory::Activation parts =
               memory::activation_of(landmark, situation, routes, settings);

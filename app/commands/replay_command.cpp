@@ -135,7 +135,7 @@ class ShownReplay {
       : shown_(options.foxglove.wanted()), pace_(shown_ ? options.speed : 0.0) {
     if (!shown_) return;
     foxglove_.begin(options.foxglove.for_server(), mission);
-    say(stderr, fmt::format("Foxglove, Lichtblick: {}\n", foxglove_.url()));
+    say(stderr, options.foxglove.addresses(foxglove_.url(), foxglove_.page_url()));
   }
   /// @return false where somebody wants it to end
   bool show(const agent::ReplayMission& mission) {
@@ -213,7 +213,6 @@ void add_replay_command(CLI::App& app, int& exit_code) {
       ->add_option("--speed", options->speed,
                    "of what is shown: 1 as it was, 2 twice as fast; 0: as fast as it can")
       ->check(CLI::Range(0.0, 1000.0))
-      ->needs("--foxglove")
       ->capture_default_str();
   command->add_flag("--json", options->json, "print JSON instead of text");
   command->callback([options, &exit_code] {

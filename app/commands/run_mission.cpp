@@ -21,8 +21,10 @@
 #include "striate/app/pair_watch.hpp"
 #include "striate/app/reports.hpp"
 #include "striate/app/status_line.hpp"
+#include "striate/app/view/task_pages.hpp"
 #include "striate/base/files.hpp"
 #include "striate/base/say.hpp"
+#include "striate/viewer/dashboard/memory_pages.hpp"
 #include "striate/viewer/foxglove/mission_foxglove.hpp"
 #include "striate/viewer/recording/mission_mcap.hpp"
 
@@ -47,7 +49,7 @@ std::string session_title(const agent::Mission& mission, const agent::MissionOpt
 /// What may fail without the mission noticing, as it is called in the message.
 constexpr const char* kRecording = "the recording";
 constexpr const char* kMcap = "the MCAP file";
-constexpr const char* kFoxglove = "the Foxglove server";
+constexpr const char* kFoxglove = "the server for viewers";
 constexpr const char* kInspection = "the view of short-term memory";
 constexpr const char* kPictures = "the pictures";
 constexpr const char* kMemory = "the long-term memory";
@@ -163,8 +165,22 @@ class Watchers {
   /// The address is told in any case: without it nobody finds a free port, or knows the token.
   void show_to_foxglove() {
     if (!options_.foxglove.wanted()) return;
-    files_.foxglove.begin(options_.foxglove.for_server(), mission_);
-    say(stderr, fmt::format("Foxglove, Lichtblick: {}\n", files_.foxglove.url()));
+    viewer::foxglove::ServerOptions server = options_.foxglove.for_server();
+    add_pages(server);
+    files_.foxglove.begin(server, mission_);
+    say(stderr, options_.foxglove.addresses(files_.foxglove.url(), files_.foxglove.page_url()));
+  }
+
+  /// What the dashboard shows beside the robot: its memory, and its task as it was written.
+  void add_pages(viewer::foxglove::ServerOptions& server) {
+    if (!server.site) return;
+    if (!options_.memory.empty()) {
+      viewer::dashboard::add_memory_pages(
+          *server.site, {options_.memory, mission_.settings().long_term_memory, false});
+      server.pages.emplace_back("memory");
+    }
+    add_task_pages(*server.site, options_.mission.task);
+    server.pages.emplace_back("task");
   }
 
   template <class Finish>

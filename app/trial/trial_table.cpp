@@ -202,21 +202,26 @@ std::string trial_table(const std::vector<agent::RunResult>& results) {
   return text;
 }
 
+std::string replay_command(const agent::RunResult& result, const std::string& robot,
+                           const std::string& memory, const std::vector<std::string>& plugins) {
+  std::string with_plugins;
+  for (const std::string& plugin : plugins) with_plugins += " --plugin " + shell_word(plugin);
+  return fmt::format(
+      "striate run {} --world {} --seed {}{}{}{}{}{} --picture-every 10 --pictures {}",
+      shell_word(result.task), shell_word(result.world), result.seed,
+      result.emergency_layer ? "" : " --no-emergency",
+      result.baseline.empty() ? "" : " --baseline " + result.baseline,
+      robot.empty() ? "" : " --robot " + shell_word(robot),
+      memory.empty() ? "" : " --memory " + shell_word(memory), with_plugins,
+      shell_word(fmt::format("out/replay/{}_seed{:03d}", world_name(result.world), result.seed)));
+}
+
 std::string replay_commands(const std::vector<agent::RunResult>& results, const std::string& robot,
                             const std::string& memory, const std::vector<std::string>& plugins) {
   std::string text;
-  std::string with_plugins;
-  for (const std::string& plugin : plugins) with_plugins += " --plugin " + shell_word(plugin);
   for (const agent::RunResult& result : results) {
     if (result.outcome == agent::RunOutcome::success) continue;
-    text += fmt::format(
-        "    striate run {} --world {} --seed {}{}{}{}{}{} --picture-every 10 --pictures {}\n",
-        shell_word(result.task), shell_word(result.world), result.seed,
-        result.emergency_layer ? "" : " --no-emergency",
-        result.baseline.empty() ? "" : " --baseline " + result.baseline,
-        robot.empty() ? "" : " --robot " + shell_word(robot),
-        memory.empty() ? "" : " --memory " + shell_word(memory), with_plugins,
-        shell_word(fmt::format("out/replay/{}_seed{:03d}", world_name(result.world), result.seed)));
+    text += "    " + replay_command(result, robot, memory, plugins) + "\n";
   }
   return text.empty() ? text : "\nTo see what failed again:\n" + text;
 }

@@ -23,6 +23,11 @@ struct Interval {
 /// then the collisions by what was hit. Markdown, so that it can stand in a README.
 [[nodiscard]] std::string trial_table(const std::vector<agent::RunResult>& results);
 
+/// The command that runs it again, the same bit for bit, with images to watch. Parameters as below.
+[[nodiscard]] std::string replay_command(const agent::RunResult& result, const std::string& robot,
+                                         const std::string& memory = "",
+                                         const std::vector<std::string>& plugins = {});
+
 /// A command for each failed run that runs it again, the same bit for bit, with images to watch.
 /// @param robot the settings file of the trial; may be empty, @param memory likewise.
 /// @param plugins that each run was given

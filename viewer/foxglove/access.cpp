@@ -69,8 +69,6 @@ bool is_ours(const AccessRules& rules, const std::string& host) {
 
 bool origin_may(const AccessRules& rules, std::string_view origin) {
   if (origin == "file://") return true;
-  const auto& more = rules.more_origins;
-  if (std::find(more.begin(), more.end(), origin) != more.end()) return true;
   for (const std::string_view scheme : {"http://", "https://"}) {
     if (origin.substr(0, scheme.size()) == scheme) {
       return is_ours(rules, host_without_port(origin.substr(scheme.size())));
@@ -104,6 +102,50 @@ bool same_token(std::string_view given, std::string_view token) {
   return differs == 0;
 }
 
+/// The page that this very address has given: a forwarded port is the same one in both.
+bool is_own_page(const Handshake& handshake) {
+  for (const std::string_view scheme : {"http://", "https://"}) {
+    if (handshake.origin.substr(0, scheme.size()) == scheme &&
+        lower_case(handshake.origin.substr(scheme.size())) == lower_case(handshake.host)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+bool is_named(const AccessRules& rules, std::string_view origin) {
+  const auto& more = rules.more_origins;
+  return std::find(more.begin(), more.end(), origin) != more.end();
+}
+
+/// Cookies are of a host, whatever the port: each robot's has a name of its own.
+std::string cookie_name(const AccessRules& rules) {
+  return fmt::format("striate_{}", static_cast<unsigned>(rules.port));
+}
+
+/// The value of a cookie in "a=b; striate_8780=..."
+std::string_view cookie_value(std::string_view cookies, const std::string& name) {
+  while (!cookies.empty()) {
+    const std::size_t end = std::min(cookies.find(';'), cookies.size());
+    std::string_view one = cookies.substr(0, end);
+    one.remove_prefix(std::min(one.find_first_not_of(' '), one.size()));
+    if (one.size() > name.size() && one.substr(0, name.size()) == name && one[name.size()] == '=') {
+      return one.substr(name.size() + 1);
+    }
+    cookies.remove_prefix(std::min(end + 1, cookies.size()));
+  }
+  return {};
+}
+
+/// The address has it, or the cookie; a cookie comes along with what other pages ask for, too.
+bool knows_token(const AccessRules& rules, const Handshake& handshake) {
+  if (rules.token.empty() || same_token(token_in(handshake.target), rules.token)) return true;
+  const bool from_us = handshake.origin.empty() || is_own_page(handshake);
+  return from_us && same_token(cookie_value(handshake.cookie, cookie_name(rules)), rules.token);
+}
+
+constexpr const char* kTokenMissing = "the address needs ?token=..., as 'striate' has printed it";
+
 }  // namespace
 
 bool is_loopback(std::string_view host) {
@@ -117,15 +159,33 @@ std::string why_refused(const AccessRules& rules, const Handshake& handshake) {
   if (!is_ours(rules, host_without_port(handshake.host))) {
     return fmt::format("the host '{}' is not the address of this robot", handshake.host);
   }
-  if (!handshake.origin.empty() && !origin_may(rules, handshake.origin)) {
+  const bool page_may = handshake.origin.empty() || is_own_page(handshake) ||
+                        is_named(rules, handshake.origin) ||
+                        (rules.others && origin_may(rules, handshake.origin));
+  if (!page_may) {
     return fmt::format(
         "pages of '{}' may not look at this robot; 'striate' lets them with --allow-origin",
         handshake.origin);
   }
-  if (!rules.token.empty() && !same_token(token_in(handshake.target), rules.token)) {
-    return "the address needs ?token=..., as 'striate' has printed it";
+  return knows_token(rules, handshake) ? "" : kTokenMissing;
+}
+
+std::string why_page_refused(const AccessRules& rules, const Handshake& handshake) {
+  if (!is_ours(rules, host_without_port(handshake.host))) {
+    return fmt::format("the host '{}' is not the address of this robot", handshake.host);
   }
-  return {};
+  const std::string_view path = handshake.target.substr(0, handshake.target.find('?'));
+  const bool asked_by_us = handshake.fetch_site.empty() || handshake.fetch_site == "same-origin" ||
+                           handshake.fetch_site == "none";
+  if (!(handshake.origin.empty() || is_own_page(handshake)) || (!asked_by_us && path != "/")) {
+    return "only the dashboard's own page may ask this robot";
+  }
+  return knows_token(rules, handshake) ? "" : kTokenMissing;
+}
+
+std::string cookie_for(const AccessRules& rules, const Handshake& handshake) {
+  if (rules.token.empty() || !same_token(token_in(handshake.target), rules.token)) return {};
+  return fmt::format("{}={}; Path=/; HttpOnly; SameSite=Strict", cookie_name(rules), rules.token);
 }
 
 std::string new_token() {

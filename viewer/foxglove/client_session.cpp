@@ -21,6 +21,22 @@ constexpr auto kHandshakeTakes = std::chrono::seconds(5);
 constexpr auto kSilenceLasts = std::chrono::seconds(60);
 /// Of a request to upgrade, by hand: browsers send about 600 bytes
 constexpr std::uint32_t kMostHeaderBytes = 8192;
+/// Of what the page sends, by hand: names, and a region of an image
+constexpr std::uint64_t kMostBodyBytes = 65536;
+/// By hand: a recorded image over a bad wireless line
+constexpr auto kAnswerTakes = std::chrono::seconds(60);
+/// Nothing is loaded from elsewhere, nothing inline is run, no page of others shows or reads this.
+constexpr std::array<std::pair<const char*, const char*>, 7> kGuards{{
+    {"Content-Security-Policy",
+     "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' blob: data:; "
+     "connect-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'"},
+    {"X-Content-Type-Options", "nosniff"},
+    {"X-Frame-Options", "DENY"},
+    {"Referrer-Policy", "no-referrer"},
+    {"Cross-Origin-Opener-Policy", "same-origin"},
+    {"Cross-Origin-Resource-Policy", "same-origin"},
+    {"Cache-Control", "no-store"},
+}};
 /// Of a message from a client, by hand: eight times the list of all schemas of a Twist
 constexpr std::size_t kMostMessageBytes = std::size_t{64} << 10U;
 /// Messages a second, by hand: commands at 50 Hz, and a person who clicks about
@@ -69,7 +85,7 @@ void ClientSession::start(std::uint64_t id) {
   id_ = id;
   parser_.emplace();
   parser_->header_limit(kMostHeaderBytes);
-  parser_->body_limit(0U);
+  parser_->body_limit(host_.site ? kMostBodyBytes : 0U);
   stream_.next_layer().expires_after(kHandshakeTakes);
   http::async_read(stream_.next_layer(), buffer_, *parser_,
                    mine([](ClientSession& self) { self.judge_handshake(); }));
@@ -81,9 +97,14 @@ void ClientSession::judge_handshake() {
     const auto value = request[field];
     return {value.data(), value.size()};
   };
-  const std::string why = why_refused(rules_, {{request.target().data(), request.target().size()},
-                                               text(http::field::host),
-                                               text(http::field::origin)});
+  const boost::beast::string_view fetch_site = request["Sec-Fetch-Site"];
+  const Handshake handshake{{request.target().data(), request.target().size()},
+                            text(http::field::host),
+                            text(http::field::origin),
+                            text(http::field::cookie),
+                            {fetch_site.data(), fetch_site.size()}};
+  if (host_.site && !websocket::is_upgrade(request)) return show_page(handshake);
+  const std::string why = why_refused(rules_, handshake);
   if (!why.empty()) return refuse(http::status::forbidden, why);
   if (!websocket::is_upgrade(request)) {
     return refuse(http::status::upgrade_required,
@@ -101,13 +122,41 @@ void ClientSession::judge_handshake() {
   open(*subprotocol);
 }
 
+/// A page, or what it asks for: one answer a connection.
+void ClientSession::show_page(const Handshake& handshake) {
+  const std::string why = why_page_refused(rules_, handshake);
+  if (!why.empty()) return refuse(http::status::forbidden, why);
+  const auto& request = parser_->get();
+  const std::string target(handshake.target);
+  const std::size_t path_ends = std::min(target.find('?'), target.size());
+  const auto type = request[http::field::content_type];
+  dashboard::HttpAnswer answer = host_.site->answer(
+      {std::string(request.method_string()), target.substr(0, path_ends),
+       target.substr(std::min(path_ends + 1, target.size())), std::string(type), request.body()});
+  http::response<http::string_body> response(static_cast<http::status>(answer.status), 11);
+  response.set(http::field::content_type, answer.type);
+  if (const std::string cookie = cookie_for(rules_, handshake); !cookie.empty()) {
+    response.set(http::field::set_cookie, cookie);
+  }
+  response.body() = std::move(answer.body);
+  stream_.next_layer().expires_after(kAnswerTakes);
+  send(std::move(response));
+}
+
 void ClientSession::refuse(http::status status, const std::string& why) {
-  const auto response = std::make_shared<http::response<http::string_body>>(status, 11);
-  response->set(http::field::content_type, "text/plain; charset=utf-8");
-  if (status == http::status::upgrade_required) response->set(http::field::upgrade, "websocket");
+  http::response<http::string_body> response(status, 11);
+  response.set(http::field::content_type, "text/plain; charset=utf-8");
+  if (status == http::status::upgrade_required) response.set(http::field::upgrade, "websocket");
+  response.body() = why + "\n";
+  send(std::move(response));
+}
+
+void ClientSession::send(http::response<http::string_body> answer) {
+  const auto response = std::make_shared<http::response<http::string_body>>(std::move(answer));
+  for (const auto& [name, value] : kGuards) response->set(name, value);
   response->keep_alive(false);
-  response->body() = why + "\n";
   response->prepare_payload();
+  if (parser_->get().method() == http::verb::head) response->body().clear();
   http::async_write(stream_.next_layer(), *response, mine([response](ClientSession& self) {
                       Error ignored;
                       self.stream_.next_layer().socket().shutdown(

@@ -59,6 +59,8 @@ class ClientSession : public std::enable_shared_from_this<ClientSession> {
       boost::beast::basic_stream<boost::asio::ip::tcp, boost::asio::any_io_executor,
                                  boost::beast::simple_rate_policy>;
   void judge_handshake();
+  void show_page(const Handshake& handshake);
+  void send(boost::beast::http::response<boost::beast::http::string_body> response);
   void refuse(boost::beast::http::status status, const std::string& why);
   void open(std::string_view subprotocol);
   void read_next();

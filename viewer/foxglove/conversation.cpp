@@ -22,9 +22,10 @@ std::shared_ptr<const Bytes> shared_bytes(std::string_view text) {
 const TopicSet& slow_topics() {
   static const TopicSet kSlow = [] {
     TopicSet topics;
-    for (const Topic topic : {Topic::left_info, Topic::right_info, Topic::map_local,
-                              Topic::map_global, Topic::trajectory, Topic::landmarks, Topic::route,
-                              Topic::battery, Topic::diagnostics, Topic::task, Topic::short_term}) {
+    for (const Topic topic :
+         {Topic::left_info, Topic::right_info, Topic::map_local, Topic::map_global,
+          Topic::trajectory, Topic::landmarks, Topic::route, Topic::battery, Topic::diagnostics,
+          Topic::task, Topic::task_nodes, Topic::short_term}) {
       topics.set(static_cast<std::size_t>(topic));
     }
     return topics;
@@ -97,6 +98,9 @@ void Conversation::hear(const Subscribe& request) {
     subscriptions_[id] = static_cast<Topic>(channel);
     subscription_of_[channel] = id;
     wants_.set(channel);
+    for (const Published& line : host_.log) {
+      if (static_cast<Topic>(channel) == Topic::log) tell(Topic::log, line);
+    }
     const Published& newest = host_.newest[channel];
     if (newest.payload) tell(static_cast<Topic>(channel), newest);
   }

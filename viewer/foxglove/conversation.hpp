@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <deque>
 #include <functional>
 #include <map>
 #include <memory>
@@ -11,6 +12,7 @@
 
 #include "striate/base/time.hpp"
 #include "striate/viewer/channels/channel_list.hpp"
+#include "striate/viewer/dashboard/site.hpp"
 #include "striate/viewer/foxglove/protocol.hpp"
 #include "striate/viewer/foxglove/remote_pilot.hpp"
 #include "striate/viewer/foxglove/send_queue.hpp"
@@ -29,8 +31,13 @@ struct Host {
   ServerFacts facts;
   /// The newest message of each channel that changes slowly: who comes late gets it at once.
   std::array<Published, kTopics> newest;
+  /// The last lines of the log, for who comes late.
+  std::deque<Published> log;
+  static constexpr std::size_t kMostLog = 200;  ///< by hand: a few minutes of decisions
   RemotePilot* pilot = nullptr;
   std::function<void()> stop;  ///< asks the mission for a safe end
+  /// What browsers are shown at the same address; nullptr: nothing.
+  std::shared_ptr<dashboard::Site> site;
 };
 
 /// The channels of which the newest message is kept for who comes late.

@@ -52,10 +52,10 @@ TopicSet costly_topics() {
   return topics;
 }
 
-std::string url_of(const tcp::endpoint& at, const std::string& token) {
+std::string url_of(const char* scheme, const tcp::endpoint& at, const std::string& token) {
   const std::string host = at.address().to_string();
   const bool is_v6 = at.address().is_v6();
-  std::string url = fmt::format("ws://{}{}{}:{}", is_v6 ? "[" : "", host, is_v6 ? "]" : "",
+  std::string url = fmt::format("{}://{}{}{}:{}", scheme, is_v6 ? "[" : "", host, is_v6 ? "]" : "",
                                 static_cast<unsigned>(at.port()));
   if (!token.empty()) url += "/?token=" + token;
   return url;
@@ -82,6 +82,7 @@ struct FoxgloveServer::Parts {
   std::atomic<std::size_t> joined{0};
   FactsRing ring{kFactsSlots};
   std::string url;
+  std::string page_url;
   Host host;
 
   // The thread's own, once it runs.
@@ -104,9 +105,11 @@ FoxgloveServer::Parts::Parts(const ServerOptions& options, ServerFacts facts, Ch
   host.facts.session = new_token();
   host.pilot = &pilot;
   host.stop = [this] { stop_asked = true; };
+  host.site = options.site;
   rules.listen = options.address;
+  rules.others = options.others;
   rules.more_origins = options.more_origins;
-  if (!is_loopback(options.address)) rules.token = new_token();
+  if (options.needs_token || !is_loopback(options.address)) rules.token = new_token();
   listen(options);
 }
 
@@ -126,11 +129,16 @@ void FoxgloveServer::Parts::listen(const ServerOptions& options) {
     acceptor.set_option(tcp::acceptor::reuse_address(true));
     acceptor.bind(at);
     acceptor.listen();
-    url = url_of(acceptor.local_endpoint(), rules.token);
+    const tcp::endpoint bound = acceptor.local_endpoint();
+    rules.port = bound.port();
+    url = url_of("ws", bound, rules.token);
+    page_url = url_of("http", bound, rules.token);
+    if (rules.token.empty()) page_url += "/";
   } catch (const boost::system::system_error& failure) {
-    throw UserError(fmt::format(
-        "--foxglove: cannot listen on {} port {}: {}\n    --foxglove 0 takes any free port",
-        options.address, static_cast<unsigned>(options.port), failure.code().message()));
+    throw UserError(
+        fmt::format("{0}: cannot listen on {1} port {2}: {3}\n    {0} 0 takes any free port",
+                    options.site ? "--view" : "--foxglove", options.address,
+                    static_cast<unsigned>(options.port), failure.code().message()));
   }
 }
 
@@ -183,6 +191,10 @@ void FoxgloveServer::Parts::show(Topic topic, std::uint64_t time_ns, ByteView me
   const Published published{time_ns, std::make_shared<const Bytes>(message.begin(), message.end())};
   const auto place = static_cast<std::size_t>(topic);
   if (slow_topics()[place]) host.newest[place] = published;
+  if (topic == Topic::log) {
+    host.log.push_back(published);
+    if (host.log.size() > Host::kMostLog) host.log.pop_front();
+  }
   for (const auto& session : sessions) session->tell(topic, published);
 }
 
@@ -190,6 +202,7 @@ void FoxgloveServer::Parts::show_facts() {
   while (const CycleFacts* facts = ring.front()) {
     forget_gone();
     TopicSet wanted = slow_topics();
+    wanted.set(static_cast<std::size_t>(Topic::log));
     for (const auto& session : sessions) wanted |= session->wants();
     // On a busy machine poses and decisions come on, and pictures come when they can.
     if (ring.waiting() > 1) wanted &= ~costly_topics();
@@ -252,6 +265,10 @@ FoxgloveServer::~FoxgloveServer() {
 
 const std::string& FoxgloveServer::url() const {
   return parts_->url;
+}
+
+const std::string& FoxgloveServer::page_url() const {
+  return parts_->page_url;
 }
 
 bool FoxgloveServer::put(const std::function<void(CycleFacts&)>& fill) {

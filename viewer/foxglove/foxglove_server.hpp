@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "striate/viewer/channels/channels.hpp"
+#include "striate/viewer/dashboard/site.hpp"
 #include "striate/viewer/foxglove/protocol.hpp"
 #include "striate/viewer/foxglove/remote_pilot.hpp"
 
@@ -18,7 +19,13 @@ struct ServerOptions {
   std::string address = "127.0.0.1";      ///< beyond loopback a token is needed
   std::uint16_t port = 8765;              ///< 0: any; the viewers' own default
   std::vector<std::string> more_origins;  ///< of pages that may look: "https://app.foxglove.dev"
+  bool needs_token = false;               ///< on loopback, too
   bool drives = false;                    ///< viewers may publish on /cmd_vel
+  /// Foxglove and Lichtblick are welcome; else only pages of our own.
+  bool others = true;
+  std::shared_ptr<dashboard::Site> site;  ///< what browsers are shown; nullptr: nothing
+  std::vector<std::string> pages;         ///< of the site, beside the live one
+  bool changes = false;                   ///< pages may change the memory
 };
 
 /// Shows a robot to Foxglove and Lichtblick, by a thread of its own. Whoever leaves facts never
@@ -38,6 +45,8 @@ class FoxgloveServer {
 
   /// For a viewer to open: "ws://127.0.0.1:8765", with the token where one is needed
   [[nodiscard]] const std::string& url() const;
+  /// For a browser to open: "http://127.0.0.1:8780/", with the token where one is needed
+  [[nodiscard]] const std::string& page_url() const;
 
   /// Facts of a cycle, from the mission's thread. @param fill gets those of a cycle before.
   /// @return false: there was no room, and they are left out

@@ -4,6 +4,7 @@
 
 #include "striate/agent/recording/setup.hpp"
 #include "striate/base/version.hpp"
+#include "striate/viewer/dashboard/what.hpp"
 
 namespace striate::viewer {
 namespace {
@@ -18,10 +19,24 @@ foxglove::ServerFacts server_facts(const char* what, const tasks::Task& task,
   return facts;
 }
 
+/// The page of a robot, beside what was added to its site before.
+void show_live(const foxglove::ServerOptions& options, const char* kind, const tasks::Task& task) {
+  if (!options.site) return;
+  dashboard::What what;
+  what.kind = kind;
+  what.title = task.mission.empty() ? task.file : task.mission;
+  what.pages = options.pages;
+  what.drives = options.drives;
+  what.changes = options.changes;
+  what.pages.insert(what.pages.begin(), "live");
+  dashboard::add_what(*options.site, what);
+}
+
 }  // namespace
 
 void MissionFoxglove::begin(const foxglove::ServerOptions& options, agent::Mission& mission) {
   const tasks::Task& task = mission.executive().task();
+  show_live(options, "run", task);
   server_ = std::make_unique<foxglove::FoxgloveServer>(
       options, server_facts("runs", task, mission.settings()),
       Channels(mission.body().description(), task));
@@ -33,6 +48,7 @@ void MissionFoxglove::begin(const foxglove::ServerOptions& options,
   const tasks::Task& task = mission.executive().task();
   foxglove::ServerOptions looked_at = options;
   looked_at.drives = false;
+  show_live(looked_at, "replay", task);
   server_ = std::make_unique<foxglove::FoxgloveServer>(
       looked_at, server_facts("replays", task, mission.settings()),
       Channels(mission.robot(), task));

@@ -26,6 +26,9 @@ class MissionFoxglove {
   void finish();
 
   [[nodiscard]] std::string url() const { return server_ ? server_->url() : std::string(); }
+  [[nodiscard]] std::string page_url() const {
+    return server_ ? server_->page_url() : std::string();
+  }
   /// A viewer has asked for a safe end.
   [[nodiscard]] bool stop_asked() const { return server_ && server_->stop_asked(); }
   /// A viewer has paused it: the robot stands; a recording is to wait.
