@@ -112,7 +112,7 @@ export class CameraView {
       context.strokeStyle = stroke;
       context.lineWidth = 2;
       context.strokeRect(left, top, w, h);
-      tag(context, show(text), left, top, stroke);
+      tag(context, show(text), left, Math.max(top, this.box.y + 15), stroke);
     };
     if (this.on.has("people")) {
       for (const one of seen.people) {
