@@ -83,6 +83,9 @@ std::string add_page_of(Site& site, const ViewOptions& options) {
     return "memory";
   }
   find_task(file);
+  if (!fs::is_regular_file(file)) {
+    throw UserError(fmt::format("{}: there is no such file\n    is the path right?", file));
+  }
   add_task_pages(site, file);
   return "task";
 }
