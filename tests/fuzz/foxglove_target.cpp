@@ -28,7 +28,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const std::size_t end = std::min(rest.find('\n'), rest.size());
     const std::string_view line = rest.substr(0, end);
     rest.remove_prefix(std::min(end + 1, rest.size()));
-    (void)why_refused({}, {line, line, line});
+    AccessRules rules;
+    rules.token = "a token";
+    (void)why_refused(rules, {line, line, line, line, line});
+    (void)why_page_refused(rules, {line, line, line, line, line});
+    (void)cookie_for(rules, {line, line, line, line, line});
     (void)choose_subprotocol(line);
     if (line.empty()) continue;
     const std::string_view message = line.substr(1);

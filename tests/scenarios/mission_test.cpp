@@ -83,7 +83,7 @@ TEST(ShortMission, CtrlCStopsTheRobotAndStillWritesTheResult) {
   const Ended ended =
       striate({"run", "config/tasks/corridor.yaml", "--world", "config/worlds/corridor_a.yaml",
                "--result", folder / "r.json", "--quiet"},
-              std::chrono::milliseconds(3000));
+              {std::chrono::milliseconds(3000), {}});
   EXPECT_EQ(ended.exit_code, 130) << ended.err;
   const auto result = nlohmann::json::parse(read_text(folder / "r.json"));
   EXPECT_EQ(result.at("outcome"), "interrupted");

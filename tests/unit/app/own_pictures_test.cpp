@@ -20,7 +20,7 @@ namespace striate::app {
 namespace {
 
 namespace fs = std::filesystem;
-using nlohmann::json;
+using Json = nlohmann::json;
 using testing::HasSubstr;
 
 /// A printed cover: letters and shapes that no other seed has.
@@ -59,7 +59,7 @@ void teach(const std::string& memory, const std::string& name, const cv::Mat3b& 
 
 struct Printed {
   int exit_code = 0;
-  std::vector<json> lines;
+  std::vector<Json> lines;
   std::string text;
 };
 
@@ -77,7 +77,7 @@ Printed printed(const Run& run) {
   result.text = testing::internal::GetCapturedStdout();
   std::istringstream in(result.text);
   for (std::string line; std::getline(in, line);) {
-    if (line.starts_with("{")) result.lines.push_back(json::parse(line));
+    if (line.starts_with("{")) result.lines.push_back(Json::parse(line));
   }
   return result;
 }
@@ -101,13 +101,13 @@ TEST(Recognise, NamesWhatWasTaughtWithItsCornersAndSaysWhatIsAbsent) {
   EXPECT_EQ(found.exit_code, 0);
   ASSERT_EQ(found.lines.size(), 2U);
   ASSERT_EQ(found.lines[0]["things"].size(), 1U);
-  const json& thing = found.lines[0]["things"][0];
+  const Json& thing = found.lines[0]["things"][0];
   EXPECT_EQ(thing["name"], "red");
   EXPECT_NEAR(thing["turned_deg"], 20.0, 2.0);
   EXPECT_NEAR(thing["scale"], 1.3, 0.05);
   double u = 0.0;
   double v = 0.0;
-  for (const json& corner : thing["quad"]) {
+  for (const Json& corner : thing["quad"]) {
     u += 0.25 * corner[0].get<double>();
     v += 0.25 * corner[1].get<double>();
   }
@@ -135,7 +135,7 @@ TEST(Recognise, AQuadFollowsWhatIsSeenAslant) {
   ASSERT_EQ(found.lines[0]["things"].size(), 1U);
   const cv::Point2d corners[] = {{0, 0}, {219, 0}, {219, 159}, {0, 159}};
   for (std::size_t k = 0; k < 4; ++k) {
-    const json& told = found.lines[0]["things"][0]["quad"][k];
+    const Json& told = found.lines[0]["things"][0]["quad"][k];
     const double u = 1.5 * corners[k].x + 0.2 * corners[k].y + 150;
     const double v = 0.1 * corners[k].x + 1.0 * corners[k].y + 120;
     EXPECT_NEAR(told[0], u, 8) << k;
