@@ -63,10 +63,19 @@ export async function close(page) {
 }
 
 export const text = (page, selector) => page.locator(selector).first().innerText();
+// What is asked for may not be on the page yet.
 export async function until(page, what, condition, argument) {
-  await page.waitForFunction(condition, argument, { timeout: kPatience_ms, polling: 100 }).catch((error) => {
-    throw new Error(`${what}: ${error.message}`);
-  });
+  const end = Date.now() + kPatience_ms;
+  let why = "it never came true";
+  while (Date.now() < end) {
+    try {
+      if (await page.evaluate(condition, argument)) return;
+    } catch (error) {
+      why = error.message;
+    }
+    await new Promise((resolve) => setTimeout(resolve, 100));
+  }
+  throw new Error(`${what}: ${why}`);
 }
 // How many colours a canvas shows: one that nothing was drawn on has one.
 export const coloursOf = (page, selector) => page.locator(selector).evaluate((canvas) => {

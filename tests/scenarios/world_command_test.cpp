@@ -14,7 +14,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 
 TEST(WorldCommand, DescribesAWorld) {
-  const Ended ended = striate_here({"world", "hard_narrow"});
+  const Ended ended = striate_here({"world", "config/worlds/hard_narrow.yaml"});
   EXPECT_EQ(ended.exit_code, 0) << ended.err;
   EXPECT_THAT(ended.out, AllOf(HasSubstr("24 m long, 2.4 m wide"), HasSubstr("2 narrowings"),
                                HasSubstr("narrowest passage"), HasSubstr("2 box"),

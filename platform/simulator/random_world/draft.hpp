@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "striate/platform/simulator/random_world/building_style.hpp"
-#include "striate/platform/simulator/random_world/random_world.hpp"
+#include "striate/platform/simulator/random_world/drawn_stretch.hpp"
 #include "striate/platform/simulator/world.hpp"
 
 namespace striate::simulator {

@@ -7,6 +7,7 @@
 
 #include "striate/platform/simulator/passage.hpp"
 #include "striate/platform/simulator/random_world/building_kind.hpp"
+#include "striate/platform/simulator/random_world/drawn_stretch.hpp"
 #include "striate/platform/simulator/world.hpp"
 
 namespace striate::simulator {
@@ -14,15 +15,6 @@ namespace striate::simulator {
 /// So wide a way every drawn building has from start to goal by the true plan, with everything
 /// standing: the robot is 0.43 m wide.
 inline constexpr double kDrivable_m = 0.75;
-
-/// A stretch of a drawn building and what makes it what it is.
-struct DrawnStretch {
-  double from_m = 0.0;
-  double to_m = 0.0;
-  std::string story;               ///< "a parcel 12 cm high lies in the lane"
-  std::size_t first_obstacle = 0;  ///< its obstacles in `World::obstacles`
-  std::size_t end_obstacle = 0;
-};
 
 /// A building that was drawn, read back by the reader, and found drivable.
 struct RandomWorld {
