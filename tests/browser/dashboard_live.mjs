@@ -20,7 +20,10 @@ async function aMissionIsWatchedToItsEndAndIsTheSameBitForBit() {
   const page = await open(robot.url, { quiet: true });
   // One that never reads what it asks for is no hindrance.
   const deaf = await open(robot.url, { quiet: true });
-  await deaf.evaluate(() => { window.striate.stream.socket.onmessage = () => { for (const end = Date.now() + 1000; Date.now() < end;); }; });
+  await until(deaf, "it is deaf", () => {
+    window.striate.stream.socket.onmessage = () => { for (const end = Date.now() + 1000; Date.now() < end;); };
+    return true;
+  });
   await until(page, "it moves", moves);
   await until(page, "an image is drawn", () => document.querySelector(".camera .note").textContent.includes("salient regions"));
   assert.ok((await coloursOf(page, ".camera canvas")) > 50, "the camera shows a picture");
