@@ -13,12 +13,13 @@ namespace striate::app {
 /// std::runtime_error where `out` cannot be written.
 int perceive(const PerceiveOptions& options);
 
+/// A pair of images, and what the vision found in it.
 struct JudgedPair {
   StereoFrame frame;
   JudgedFrame judged;
 };
 
-/// The same, for who wants to say what was found.
+/// Writes the same files and returns what was found, so that the caller can report it.
 JudgedPair perceive_pair(const PerceiveOptions& options);
 
 }  // namespace striate::app
