@@ -27,8 +27,8 @@ StereoFrame read_pictures(const PerceiveOptions& o) {
 
 }  // namespace
 
-JudgedPair perceive_pair(const PerceiveOptions& given) {
-  PerceiveOptions options = given;
+JudgedPair perceive(const PerceiveOptions& given) {
+  PerceiveOptions options = given;  // what the calibration tells is added
   if (options.left.empty()) throw UserError("perceive needs an image: give it with --left FILE");
   if (options.out.empty()) {
     throw UserError("perceive needs a folder for its results: --out DIR");
@@ -52,11 +52,6 @@ JudgedPair perceive_pair(const PerceiveOptions& given) {
   warn_of_the_pair(pair.frame, pair.judged.report);
   write_judged(options, pair.frame, pair.judged);
   return pair;
-}
-
-int perceive(const PerceiveOptions& options) {
-  (void)perceive_pair(options);
-  return 0;
 }
 
 }  // namespace striate::app

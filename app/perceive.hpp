@@ -5,21 +5,18 @@
 
 namespace striate::app {
 
-/// Writes into `options.out`: disparity.pfm and confidence.pfm (float, working size, left frame,
-/// bottom row first, little-endian; +inf is no trusted match), obstacles.json, saliency.png,
-/// keypoints.json and overview.png. Images may be grey or colour, 8 to 16 bit, with alpha. The
-/// disparities are those of the images as they are given, whatever their principal points.
-/// Returns 0. Throws UserError for images that cannot be used and for impossible options,
-/// std::runtime_error where `out` cannot be written.
-int perceive(const PerceiveOptions& options);
-
 /// A pair of images, and what the vision found in it.
 struct JudgedPair {
   StereoFrame frame;
   JudgedFrame judged;
 };
 
-/// Writes the same files and returns what was found, so that the caller can report it.
-JudgedPair perceive_pair(const PerceiveOptions& options);
+/// Writes into `options.out`: disparity.pfm and confidence.pfm (float, working size, left frame,
+/// bottom row first, little-endian; +inf is no trusted match), obstacles.json, saliency.png,
+/// keypoints.json and overview.png. Images may be grey or colour, 8 to 16 bit, with alpha. The
+/// disparities are those of the images as they are given, whatever their principal points.
+/// @throws UserError for images that cannot be used and for impossible options,
+/// std::runtime_error where `out` cannot be written
+JudgedPair perceive(const PerceiveOptions& options);
 
 }  // namespace striate::app

@@ -25,7 +25,7 @@ int run_pair(const PerceiveCommand& given) {
   PerceiveOptions options = given.frame;
   options.calibration = given.sequence.options.calibration;
   options.exchanged = given.sequence.options.exchanged;
-  const FrameSummary summary = summary_of(perceive_pair(options).judged);
+  const FrameSummary summary = summary_of(perceive(options).judged);
   fmt::print("{}", given.json ? json_of(summary).dump() + "\n" : text_of(summary));
   return 0;
 }

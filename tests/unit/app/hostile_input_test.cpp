@@ -150,7 +150,7 @@ TEST_F(HostileInput, BlackAndWhitePairsGiveAnAnswer) {
     PerceiveOptions options;
     options.left = options.right = write(cv::Mat1b(120, 160, grey));
     options.out = folder_ / "out";
-    EXPECT_EQ(perceive(options), 0);
+    EXPECT_FALSE(perceive(options).frame.left.empty());
   }
 }
 
