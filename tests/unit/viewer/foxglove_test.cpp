@@ -7,78 +7,16 @@
 
 #include "striate/base/limits.hpp"
 #include "striate/viewer/cdr/cdr_writer.hpp"
-#include "striate/viewer/foxglove/access.hpp"
 #include "striate/viewer/foxglove/conversation.hpp"
 #include "striate/viewer/messages/common_messages.hpp"
+#include "tests/unit/viewer/hand_clock.hpp"
 
-/// The Foxglove protocol without sockets: who is let in, what is said, who drives.
+/// The Foxglove protocol without sockets: what is said, and what drives.
 namespace striate::viewer::foxglove {
 namespace {
 
 using nlohmann::json;
 using testing::HasSubstr;
-
-class HandClock final : public Clock {
- public:
-  [[nodiscard]] TimePoint now() const override { return time; }
-  TimePoint time{std::chrono::seconds(100)};
-};
-
-TimePoint mission_ms(int ms) {
-  return TimePoint(std::chrono::milliseconds(ms));
-}
-
-// --- who is let in
-
-bool may(const Handshake& handshake, const AccessRules& rules = {}) {
-  return why_refused(rules, handshake).empty();
-}
-
-TEST(FoxgloveAccess, ProgramsOfThisMachineMayLook) {
-  for (const char* host : {"localhost", "localhost:8765", "LOCALHOST:1", "127.0.0.1:8765",
-                           "127.9.9.9", "[::1]:8765", "[::1]"}) {
-    EXPECT_TRUE(may({"/", host, "", "", ""})) << host;
-  }
-}
-
-TEST(FoxgloveAccess, ANameThatWasMadeToPointHereIsRefused) {
-  for (const char* host : {"evil.example:8765", "localhost.evil.example", "127.0.0.1.evil.example",
-                           "", "[::1", "localhost:8765@evil.example", "192.168.1.7", "[::2]:1"}) {
-    EXPECT_FALSE(may({"/", host, "", "", ""})) << host;
-  }
-}
-
-TEST(FoxgloveAccess, PagesOfThisMachineAndDesktopProgramsMayLookAndOthersNot) {
-  for (const char* origin : {"http://localhost:8080", "https://127.0.0.1", "file://"}) {
-    EXPECT_TRUE(may({"/", "localhost:8765", origin, "", ""})) << origin;
-  }
-  for (const char* origin :
-       {"https://evil.example", "http://localhost.evil.example", "null", "https://",
-        "https://app.foxglove.dev", "file:///etc", "http://localhost:80@evil.example", "x"}) {
-    EXPECT_FALSE(may({"/", "localhost:8765", origin, "", ""})) << origin;
-  }
-  AccessRules rules;
-  rules.more_origins = {"https://app.foxglove.dev"};
-  EXPECT_TRUE(may({"/", "localhost", "https://app.foxglove.dev", "", ""}, rules));
-  EXPECT_FALSE(may({"/", "localhost", "https://app.foxglove.dev.evil.example", "", ""}, rules));
-}
-
-TEST(FoxgloveAccess, BeyondLoopbackATokenIsNeeded) {
-  AccessRules rules;
-  rules.listen = "0.0.0.0";
-  rules.token = "0123abcd";
-  EXPECT_TRUE(may({"/?token=0123abcd", "192.168.1.7:8765", "", "", ""}, rules));
-  EXPECT_TRUE(may({"/?a=b&token=0123abcd&c", "[fe80::1]:8765", "", "", ""}, rules));
-  for (const char* target : {"/", "/?token=", "/?token=0123abc", "/?token=0123abcde",
-                             "/?xtoken=0123abcd", "/0123abcd", "/?token=0123ABCD"}) {
-    EXPECT_FALSE(may({target, "192.168.1.7:8765", "", "", ""}, rules)) << target;
-  }
-  EXPECT_FALSE(may({"/?token=0123abcd", "evil.example", "", "", ""}, rules));
-  EXPECT_NE(new_token(), new_token());
-  EXPECT_EQ(new_token().size(), 32U);
-}
-
-// --- what is said
 
 TEST(FoxgloveProtocol, TheFirstOfOurSubprotocolsIsChosen) {
   EXPECT_EQ(choose_subprotocol("x, foxglove.websocket.v1 ,foxglove.sdk.v1"),
@@ -106,8 +44,6 @@ TEST(FoxgloveProtocol, AnyBytesAreReadOrRefused) {
   EXPECT_THROW(read_text_request(std::string(60000, '[')), BadBytes);
   EXPECT_TRUE(std::holds_alternative<NotOffered>(read_text_request(R"({"op":"fetchAsset"})")));
 }
-
-// --- a conversation
 
 class FoxgloveTalk : public testing::Test {
  protected:
@@ -286,61 +222,6 @@ TEST_F(FoxgloveTalk, DrivesOnlyWhereItMayAndByCmdVelAlone) {
   answer_to(on_channel(1, Bytes(twist.begin(), twist.end())), std::nullopt);
   EXPECT_FALSE(pilot_.wish(mission_ms(0)));
 }
-
-// --- the pilot
-
-TEST(RemotePilot, ACommandDrivesForItsLeaseOnBothClocksFromWhenItWasSent) {
-  HandClock clock;
-  RemotePilot pilot(clock, 0.0);
-  const TimePoint sent = clock.time;
-  clock.time += std::chrono::milliseconds(200);
-  EXPECT_EQ(pilot.command(1, {0.3, 0.0}, sent), RemotePilot::Taken::taken);
-  EXPECT_TRUE(pilot.wish(mission_ms(0)));
-  clock.time = sent + kCommandLease;
-  EXPECT_TRUE(pilot.wish(mission_ms(100)));
-  clock.time += std::chrono::milliseconds(1);
-  EXPECT_FALSE(pilot.wish(mission_ms(100)));
-  // What has waited on the line since then does not drive.
-  EXPECT_EQ(pilot.command(1, {0.3, 0.0}, sent), RemotePilot::Taken::too_old);
-  EXPECT_FALSE(pilot.wish(mission_ms(100)));
-  // A simulated mission may be faster than the clock on the wall.
-  EXPECT_EQ(pilot.command(1, {0.3, 0.0}, clock.time), RemotePilot::Taken::taken);
-  EXPECT_TRUE(pilot.wish(mission_ms(1000)));
-  EXPECT_TRUE(pilot.wish(mission_ms(1500)));
-  EXPECT_FALSE(pilot.wish(mission_ms(1501)));
-}
-
-TEST(RemotePilot, OneClientDrivesAndLeavesTheWheelWhenItIsGone) {
-  HandClock clock;
-  RemotePilot pilot(clock, 0.0);
-  EXPECT_EQ(pilot.command(1, {0.3, 0.0}, clock.time), RemotePilot::Taken::taken);
-  EXPECT_EQ(pilot.command(2, {-0.3, 0.0}, clock.time), RemotePilot::Taken::another_drives);
-  EXPECT_EQ(pilot.wish(mission_ms(0))->forward_m_s, 0.3);
-  pilot.leave(2);
-  EXPECT_TRUE(pilot.wish(mission_ms(0)));
-  pilot.leave(1);
-  EXPECT_FALSE(pilot.wish(mission_ms(0)));
-  EXPECT_EQ(pilot.command(2, {-0.3, 0.0}, clock.time), RemotePilot::Taken::taken);
-}
-
-TEST(RemotePilot, WhatIsNoNumberStandsAndSoDoesAPause) {
-  HandClock clock;
-  RemotePilot pilot(clock, -0.2);
-  for (const double bad : {std::nan(""), std::numeric_limits<double>::infinity()}) {
-    pilot.command(1, {bad, 0.5}, clock.time);
-    EXPECT_EQ(pilot.wish(mission_ms(0))->forward_m_s, 0.0);
-    EXPECT_EQ(pilot.wish(mission_ms(0))->turn_rad_s, 0.0);
-  }
-  pilot.command(1, {0.3, 0.0}, clock.time);
-  pilot.pause();
-  EXPECT_EQ(pilot.wish(mission_ms(0))->forward_m_s, 0.0);
-  EXPECT_EQ(pilot.wish(mission_ms(0))->tilt_rad, -0.2);
-  EXPECT_EQ(pilot.command(1, {0.3, 0.0}, clock.time), RemotePilot::Taken::paused);
-  pilot.resume();
-  EXPECT_FALSE(pilot.wish(mission_ms(0)));
-}
-
-// --- what waits for a client
 
 }  // namespace
 }  // namespace striate::viewer::foxglove
