@@ -35,8 +35,8 @@ constexpr double kBackLongest_s = 5.0;  // by hand: 0.35 m take 2.9 s at this sp
 // arcs of 60 degrees.
 constexpr double kBackFromFelt_m = 0.70;
 constexpr double kBackFromFeltLongest_s = 8.0;  // by hand: they take 5.8 s
-constexpr double kJustFelt_s = 0.35;            // three cycles
-constexpr double kFeltFor_s = 30.0;             // as long as FeltThings holds it
+// By hand: three cycles and a half.
+constexpr Duration kJustFelt = std::chrono::milliseconds(350);
 
 }  // namespace
 
@@ -51,8 +51,7 @@ bool PathFollower::is_held(const memory::ShortTermMemory& memory) {
 
 /// Stopped by what no eye has seen: looking for a gap shows nothing, room to turn is needed.
 bool PathFollower::feels_something(const memory::ShortTermMemory& memory) const {
-  return to_seconds(memory.now() - memory.felt_at()) < kJustFelt_s &&
-         std::abs(memory.forward_m_s()) < kStands_m_s &&
+  return memory.felt_within(kJustFelt) && std::abs(memory.forward_m_s()) < kStands_m_s &&
          free_behind_m(memory, robot_) > kRoomBehind_m;
 }
 
@@ -105,8 +104,8 @@ Wish PathFollower::look(const memory::ShortTermMemory& memory) {
 bool PathFollower::may_back_to(const Pose2& behind, const memory::ShortTermMemory& memory) const {
   const double there_m = steering_.footprint().clearance_m(field_, behind);
   if (there_m > kBackClear_m) return true;
-  const bool felt = to_seconds(memory.now() - memory.felt_at()) < kFeltFor_s;
-  return felt && there_m >= steering_.footprint().clearance_m(field_, memory.pose());
+  return memory.felt_within(memory::FeltThings::kBelieved) &&
+         there_m >= steering_.footprint().clearance_m(field_, memory.pose());
 }
 
 Wish PathFollower::back(const memory::ShortTermMemory& memory) {

@@ -5,9 +5,6 @@
 namespace striate::memory {
 namespace {
 
-// By hand (README.md): backing out and going round a box takes ten seconds at 0.25 m/s; a person
-// who was felt has long gone on, and must not shut a corridor much longer.
-constexpr Duration kBelieved = std::chrono::seconds(30);
 constexpr float kComesOrGoes = 0.3F;  // by hand, as where occupancy_updater clears fast
 
 /// Calls `visit` with a felt patch and those about it. An echo is a point of a thing, and no thing

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 
 #include "striate/base/geometry.hpp"
 #include "striate/base/time.hpp"
@@ -15,6 +16,9 @@ namespace striate::memory {
 class FeltThings {
  public:
   static constexpr std::size_t kMost = 128;  ///< by hand: six stops of a score of echoes
+  /// By hand (README.md): backing out and going round a box takes ten seconds at 0.25 m/s; a person
+  /// who was felt has long gone on, and must not shut a corridor much longer.
+  static constexpr Duration kBelieved = std::chrono::seconds(30);
 
   /// @param place odometry frame. What was felt in that patch before is felt anew.
   void feel(Point2 place, TimePoint now);
@@ -32,8 +36,8 @@ class FeltThings {
     }
   }
   [[nodiscard]] std::size_t count() const { return count_; }
-  /// When something was felt last; long ago where nothing was.
-  [[nodiscard]] TimePoint last() const { return last_; }
+  /// When something was felt last; nothing: never.
+  [[nodiscard]] std::optional<TimePoint> last() const { return last_; }
 
  private:
   struct Thing {
@@ -42,7 +46,7 @@ class FeltThings {
   };
   std::array<Thing, kMost> things_;
   std::size_t count_ = 0;
-  TimePoint last_ = TimePoint() - std::chrono::hours(1);
+  std::optional<TimePoint> last_;
 };
 
 }  // namespace striate::memory

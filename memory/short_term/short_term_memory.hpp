@@ -108,8 +108,10 @@ class ShortTermMemory {
   [[nodiscard]] double battery_v() const { return battery_v_; }
   [[nodiscard]] bool bumper() const { return bumper_; }
   [[nodiscard]] bool stalled() const { return stalled_; }
-  /// When the robot was last stopped by what it had not seen; long ago where it never was.
-  [[nodiscard]] TimePoint felt_at() const { return felt_.last(); }
+  /// Whether the robot was stopped by what it had not seen, no longer ago than this.
+  [[nodiscard]] bool felt_within(Duration ago) const {
+    return felt_.last() && now_ - *felt_.last() < ago;
+  }
   [[nodiscard]] double distance_travelled_m() const { return travelled_m_; }
   /// Path along the corridor's axis since the start; back is negative.
   [[nodiscard]] double progress_m() const { return corridor_.progress_m(); }

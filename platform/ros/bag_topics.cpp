@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "striate/base/lower_case.hpp"
 #include "striate/base/user_error.hpp"
 
 namespace striate::ros {
@@ -31,12 +32,6 @@ bool is_image(const std::string& type) {
   return type == kImage || type == kCompressed;
 }
 
-std::string lower(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char letter) { return std::tolower(letter); });
-  return text;
-}
-
 /// "right" with the letters' case of a "left": LEFT, Left, left.
 std::string right_like(const std::string& left) {
   const auto upper = [](char letter) {
@@ -60,7 +55,7 @@ constexpr std::size_t kLeftLetters = 4;   // letters of kLeftEye
 /// all of them are.
 template <class Fits>
 EyeTopics partner_of(const std::string& left, const BagTopics& topics, Fits fits) {
-  const std::string plain = lower(left);
+  const std::string plain = lower_case(left);
   std::string all = left;
   std::string camera;
   for (std::size_t at = plain.rfind(kLeftEye); at != std::string::npos;

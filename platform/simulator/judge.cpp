@@ -24,9 +24,16 @@ constexpr double kPeoplePeriod_s = 0.5;  ///< between noted places of people: a 
 constexpr double kAlmostDue_s = 1e-9;    ///< sums of 10 ms are not exact: a nanosecond is there
 /// Faster than this a thing counts as moving when it was hit: a tenth of a slow walk (ours)
 constexpr double kMoving_m_s = 0.05;
-/// Where the base stands on the floor, from the axle, m: the wheels of a P3-DX are 0.33 m apart,
-/// its castor runs 0.2 m behind. One of them over an edge, and it goes down.
-constexpr std::array<Point2, 3> kWheels{{{0.0, 0.165}, {0.0, -0.165}, {-0.2, 0.0}}};
+// Where the base stands on the floor, in from the outline, m: the wheels of a P3-DX are 0.33 m
+// apart and it is 0.425 m wide; its castor runs 0.2 m behind the axle, the rear end is at 0.3 m.
+constexpr double kWheelIn_m = 0.0475;
+constexpr double kCastorIn_m = 0.1;
+
+/// One of them over an edge, and the base goes down.
+std::array<Point2, 3> wheels_of(const RobotDescription& robot) {
+  const double beside_m = robot.half_width_m - kWheelIn_m;
+  return {{{0.0, beside_m}, {0.0, -beside_m}, {kCastorIn_m - robot.rear_m, 0.0}}};
+}
 
 }  // namespace
 
@@ -36,6 +43,7 @@ Judge::Judge(const World& world, const FloorPlan& plan, const RobotDescription& 
       things_(solid_shapes(world, plan)),
       drops_(drops(world, plan)),
       footprint_(robot_footprint(robot)),
+      wheels_(wheels_of(robot)),
       settings_(settings),
       goal_beyond_m_(world.goal_beyond_m) {
   for (StaticShape& wall : wall_shapes(plan)) things_.push_back(std::move(wall));
@@ -104,7 +112,7 @@ void Judge::note_touches(double now_s, const std::vector<Touch>& touches,
 
 std::string Judge::fallen_into() const {
   for (const StaticShape& drop : drops_) {
-    for (const Point2 wheel : kWheels) {
+    for (const Point2 wheel : wheels_) {
       const ConvexShape contact = disc(transform(now_.pose, wheel), 0.0);
       if (distance_m(contact, drop.shape) <= 0.0) return "drop of " + drop.name;
     }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <string>
@@ -93,6 +94,7 @@ class Judge {
   std::vector<StaticShape> things_;
   std::vector<StaticShape> drops_;
   ConvexShape footprint_;
+  std::array<Point2, 3> wheels_;  ///< where the base stands on the floor, from the axle
   JudgeSettings settings_;
   double goal_beyond_m_;
 

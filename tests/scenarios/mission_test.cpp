@@ -82,8 +82,8 @@ TEST(ShortMission, CtrlCStopsTheRobotAndStillWritesTheResult) {
   const TemporaryFolder folder;
   const Ended ended =
       striate({"run", "config/tasks/corridor.yaml", "--world", "config/worlds/corridor_a.yaml",
-               "--result", folder / "r.json", "--quiet"},
-              {std::chrono::milliseconds(3000), {}});
+               "--result", folder / "r.json", "--quiet", "--inspect", folder / "now.json"},
+              {.after = std::chrono::milliseconds(1000), .once_there_is = folder / "now.json"});
   EXPECT_EQ(ended.exit_code, 130) << ended.err;
   const auto result = nlohmann::json::parse(read_text(folder / "r.json"));
   EXPECT_EQ(result.at("outcome"), "interrupted");

@@ -14,9 +14,10 @@ using testing::HasSubstr;
 namespace fs = std::filesystem;
 
 Ended record(const std::string& file, std::chrono::milliseconds interrupted_after = {}) {
-  return striate({"run", "config/tasks/corridor.yaml", "--world", "config/worlds/short.yaml",
-                  "--seed", "3", "--no-emergency", "--quiet", "--record", file},
-                 {interrupted_after, {}});
+  return striate(
+      {"run", "config/tasks/corridor.yaml", "--world", "config/worlds/short.yaml", "--seed", "3",
+       "--no-emergency", "--quiet", "--record", file},
+      {.after = interrupted_after, .once_there_is = interrupted_after.count() > 0 ? file : ""});
 }
 
 nlohmann::json json_of(const Ended& ended) {
@@ -123,7 +124,7 @@ TEST(RecallCommand, ShowsARunningMissionAndRefusesWhatIsNoMemory) {
   const std::string now = folder / "now.json";
   striate({"run", "config/tasks/corridor.yaml", "--world", "config/worlds/short.yaml", "--seed",
            "3", "--quiet", "--inspect", now},
-          {std::chrono::milliseconds(2500), {}});
+          {.after = std::chrono::milliseconds(500), .once_there_is = now});
   const Ended recalled = striate({"recall", now});
   EXPECT_EQ(recalled.exit_code, 0) << recalled.err;
   EXPECT_THAT(recalled.out, HasSubstr("corridor"));

@@ -197,7 +197,7 @@ TEST(ServedDevices, TheMissionStandsWhileTheCameraIsBlind) {
   });
   const Ended run =
       striate({"run", "config/tasks/corridor.yaml", "--robot", folder / "robot.yaml", "--quiet"},
-              {12s, {}});
+              {.after = 12s});
   ended = true;
   watcher.join();
   EXPECT_EQ(run.exit_code, 130) << run.err << run.out;
@@ -255,7 +255,7 @@ TEST(SimCommand, WarnsWhereEverybodyOnTheNetworkMayDrive) {
   const auto serve = [](const std::string& address) {
     return striate(
         {"sim", "config/worlds/short.yaml", "--serve", "--port", "0", "--listen", address},
-        {{}, "turret"});
+        {.once_it_says = "turret"});
   };
   EXPECT_THAT(serve("0.0.0.0").err, testing::HasSubstr("everybody on the network"));
   EXPECT_EQ(serve("127.0.0.1").err, "");

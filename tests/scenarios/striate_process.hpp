@@ -39,13 +39,19 @@ inline const std::string kRoot = STRIATE_SOURCE_DIR "/";  ///< of the source tre
 /// When a program is sent SIGINT; never, without either.
 struct Interrupt {
   std::chrono::milliseconds after{};
-  std::string once_it_says;  ///< to its standard output; however long a busy machine takes for it
+  std::string once_it_says{};  ///< to its standard output; however long a busy machine takes for it
+  std::string once_there_is{};  ///< a file that it makes
 };
 
 inline void interrupt(pid_t child, const Interrupt& when, const std::string& out_file) {
-  if (when.after.count() == 0 && when.once_it_says.empty()) return;
-  for (int i = 0; i < 600 && read_text(out_file).find(when.once_it_says) == std::string::npos; ++i)
+  if (when.after.count() == 0 && when.once_it_says.empty() && when.once_there_is.empty()) return;
+  const auto is_time = [&] {
+    return read_text(out_file).find(when.once_it_says) != std::string::npos &&
+           (when.once_there_is.empty() || std::filesystem::exists(when.once_there_is));
+  };
+  for (int i = 0; i < 600 && !is_time(); ++i) {
     std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  }
   std::this_thread::sleep_for(when.after);
   kill(child, SIGINT);
 }

@@ -10,14 +10,10 @@
 #include <cctype>
 #include <stdexcept>
 
+#include "striate/base/lower_case.hpp"
+
 namespace striate::viewer::foxglove {
 namespace {
-
-std::string lower_case(std::string_view text) {
-  std::string lower(text);
-  for (char& c : lower) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return lower;
-}
 
 /// "[::1]:8765" -> "::1", "localhost:8765" -> "localhost". A forwarded port is another one here
 /// than there, so the port says nothing. "" for what is neither.

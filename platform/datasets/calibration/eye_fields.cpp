@@ -49,8 +49,6 @@ std::optional<cv::Matx33d> matrix_of_four(const config::Node& node,
   return camera_matrix(four->val[0], four->val[1], four->val[2], four->val[3]);
 }
 
-namespace {
-
 std::string lower_letters(const std::string& text) {
   std::string letters;
   for (const char c : text) {
@@ -60,6 +58,8 @@ std::string lower_letters(const std::string& text) {
   }
   return letters;
 }
+
+namespace {
 
 /// Nothing where the name is one of a lens that is not known here.
 std::optional<Lens> lens_named(const std::string& name) {

@@ -47,4 +47,7 @@ void set_distortion(const config::Node* coefficients, const config::Node* model,
 [[nodiscard]] cv::Matx44d inverse_motion(const cv::Matx44d& motion);
 [[nodiscard]] EyesApart apart_of(const cv::Matx44d& right_from_left);
 
+/// Letters and digits alone, in lower case: "Camera_Matrix 1" is "cameramatrix1".
+[[nodiscard]] std::string lower_letters(const std::string& text);
+
 }  // namespace striate::datasets

@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "striate/base/plain_text.hpp"
+#include "striate/platform/datasets/calibration/eye_fields.hpp"
 
 namespace striate::datasets {
 namespace {
@@ -91,16 +92,6 @@ Part part_named(std::string_view letters) {
   return Part::none;
 }
 
-std::string small_letters(const std::string& key) {
-  std::string letters;
-  for (const char c : key) {
-    if (std::isalnum(static_cast<unsigned char>(c)) != 0) {
-      letters += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    }
-  }
-  return letters;
-}
-
 struct EyeWord {
   const char* word;
   Eye eye;
@@ -135,7 +126,7 @@ struct Key {
 };
 
 Key understood(const std::string& key) {
-  const std::string letters = small_letters(key);
+  const std::string letters = lower_letters(key);
   if (const Part whole = part_named(letters); whole != Part::none) return {{whole}, -1};
   for (const EyeWord& word : kEyeWords) {
     const std::string_view w = word.word;
@@ -157,7 +148,7 @@ Key understood(const std::string& key) {
 
 /// Which eye a map of its own is about: `left: {...}`, `cam0: {...}`.
 Key map_key(const std::string& key) {
-  const std::string letters = small_letters(key);
+  const std::string letters = lower_letters(key);
   for (const EyeWord& word : kEyeWords) {
     const std::string_view w = word.word;
     const bool same = letters == w || letters == std::string(w) + "camera" ||

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <opencv2/calib3d.hpp>
 
 #include "striate/platform/datasets/calibration/calibration_formats.hpp"
 #include "striate/platform/datasets/calibration/eye_fields.hpp"
@@ -91,13 +92,9 @@ std::optional<cv::Matx33d> rotation_in(const Node& node, config::Diagnostics& di
   const std::vector<double> numbers = numbers_of(node, "the rotation R", diagnostics);
   if (diagnostics.count() != before) return {};
   if (numbers.size() != 3) return matrix_of<3, 3>(node, "the rotation R", diagnostics);
-  const cv::Vec3d turn(numbers.data());
-  const double angle_rad = cv::norm(turn);
-  if (angle_rad < 1e-12) return cv::Matx33d::eye();
-  const cv::Vec3d axis = turn / angle_rad;
-  const cv::Matx33d cross(0, -axis[2], axis[1], axis[2], 0, -axis[0], -axis[1], axis[0], 0);
-  return cv::Matx33d::eye() + cross * std::sin(angle_rad) +
-         cross * cross * (1.0 - std::cos(angle_rad));
+  cv::Matx33d rotation;
+  cv::Rodrigues(cv::Vec3d(numbers.data()), rotation);
+  return rotation;
 }
 
 void read_apart(const NamedParts& parts, StereoModel& model, config::Diagnostics& diagnostics) {

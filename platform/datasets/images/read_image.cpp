@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "striate/base/lower_case.hpp"
 #include "striate/base/user_error.hpp"
 #include "striate/platform/datasets/images/image_header.hpp"
 #include "striate/platform/interface/pixel_range.hpp"
@@ -212,8 +213,7 @@ constexpr int kGreyAsItIs = cv::IMREAD_GRAYSCALE | cv::IMREAD_ANYDEPTH;
 bool is_image(const std::filesystem::path& file) {
   constexpr const char* kSuffixes[] = {".png", ".jpg", ".jpeg", ".pgm",  ".ppm",
                                        ".pnm", ".bmp", ".tif",  ".tiff", ".webp"};
-  std::string suffix = file.extension().string();
-  std::ranges::transform(suffix, suffix.begin(), [](unsigned char c) { return std::tolower(c); });
+  const std::string suffix = lower_case(file.extension().string());
   return std::ranges::find(kSuffixes, suffix) != std::end(kSuffixes);
 }
 

@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "striate/base/lower_case.hpp"
 #include "striate/platform/datasets/images/read_image.hpp"
 #include "striate/platform/datasets/sequences/picture_list.hpp"
 
@@ -23,8 +24,7 @@ bool is_number(char c) {
 
 /// `left` in any case, wherever it stands.
 void add_left_right(const std::string& name, std::vector<RightName>& found) {
-  std::string small = name;
-  std::ranges::transform(small, small.begin(), [](unsigned char c) { return std::tolower(c); });
+  const std::string small = lower_case(name);
   const std::size_t at = small.find("left");
   if (at == std::string::npos) return;
   const bool upper = name[at] == 'L';
@@ -78,15 +78,6 @@ void add_last_numbers(const std::string& name, std::vector<RightName>& found) {
   }
 }
 
-std::vector<PictureEntry> stamped(const std::vector<fs::path>& pictures) {
-  std::vector<PictureEntry> entries;
-  for (const fs::path& picture : pictures) {
-    const std::string stem = picture.stem().string();
-    entries.push_back({stem, picture, {}, stamp_in_name(stem)});
-  }
-  return entries;
-}
-
 std::vector<std::string> subfolders(const fs::path& folder) {
   std::vector<std::string> names;
   std::error_code error;
@@ -127,8 +118,7 @@ std::vector<RightName> right_names(const std::string& left) {
 }
 
 bool is_video(const fs::path& file) {
-  std::string suffix = file.extension().string();
-  std::ranges::transform(suffix, suffix.begin(), [](unsigned char c) { return std::tolower(c); });
+  const std::string suffix = lower_case(file.extension().string());
   constexpr const char* kVideos[] = {".mp4", ".avi",  ".mkv", ".mov", ".webm",  ".m4v",
                                      ".mpg", ".mpeg", ".ogv", ".wmv", ".mjpeg", ".mjpg"};
   return std::ranges::find(kVideos, suffix) != std::end(kVideos);
@@ -144,8 +134,8 @@ std::optional<PictureList> find_folder_pairs(const fs::path& folder) {
       if (left.empty() || right.empty()) continue;
       PictureList list;
       list.kind = fmt::format("pairs in {}/ and {}/", left_name, right_name);
-      const std::vector<PictureEntry> of_left = stamped(pictures_in(left));
-      std::vector<PictureEntry> of_right = stamped(pictures_in(right));
+      const std::vector<PictureEntry> of_left = entries_of(pictures_in(left));
+      std::vector<PictureEntry> of_right = entries_of(pictures_in(right));
       name_as_left_eye(of_right, of_left);
       pair_eyes(of_left, of_right, list);
       if (list.entries.empty()) continue;

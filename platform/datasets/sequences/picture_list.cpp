@@ -78,6 +78,15 @@ void pair_by_stamp(std::vector<PictureEntry> left, std::vector<PictureEntry> rig
 
 }  // namespace
 
+std::vector<PictureEntry> entries_of(const std::vector<fs::path>& pictures) {
+  std::vector<PictureEntry> entries;
+  for (const fs::path& picture : pictures) {
+    const std::string stem = picture.stem().string();
+    entries.push_back({stem, picture, {}, stamp_in_name(stem)});
+  }
+  return entries;
+}
+
 bool natural_less(const std::string& a, const std::string& b) {
   std::size_t i = 0;
   std::size_t j = 0;

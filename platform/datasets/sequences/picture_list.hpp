@@ -36,6 +36,10 @@ struct PictureList {
 /// The pictures right in this folder, in natural order; files that begin with a dot are none.
 [[nodiscard]] std::vector<std::filesystem::path> pictures_in(const std::filesystem::path& folder);
 
+/// One eye's, with the times that their names tell.
+[[nodiscard]] std::vector<PictureEntry> entries_of(
+    const std::vector<std::filesystem::path>& pictures);
+
 /// The folder itself, or the one folder below it (data/ before others) that holds pictures; empty:
 /// there is none.
 [[nodiscard]] std::filesystem::path folder_of_pictures(const std::filesystem::path& folder);

@@ -13,15 +13,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::vector<PictureEntry> entries_of(const std::vector<fs::path>& pictures) {
-  std::vector<PictureEntry> entries;
-  for (const fs::path& picture : pictures) {
-    const std::string stem = picture.stem().string();
-    entries.push_back({stem, picture, {}, stamp_in_name(stem)});
-  }
-  return entries;
-}
-
 std::string trimmed(const std::string& text) {
   const std::size_t first = text.find_first_not_of(" \t");
   if (first == std::string::npos) return {};
