@@ -65,7 +65,9 @@ void see(const PerceiveSequenceOptions& options, const datasets::Sequence& seque
 
 void tell_sequence(const datasets::Sequence& sequence) {
   say(stderr, fmt::format("{}{}\n", sequence.kind(),
-                          sequence.size() > 0 ? fmt::format(", {} frames", sequence.size()) : ""));
+                          sequence.size() == 1  ? ", 1 frame"
+                          : sequence.size() > 1 ? fmt::format(", {} frames", sequence.size())
+                                                : ""));
   for (const std::string& remark : sequence.remarks()) say(stderr, "  note: " + remark + "\n");
   if (!sequence.calibration_file().empty()) {
     say(stderr, fmt::format("  calibration from {}\n", sequence.calibration_file()));

@@ -29,8 +29,8 @@ struct EvalOdometryCommand {
 
 void tell_trajectory(const char* which, const std::string& file,
                      const datasets::Trajectory& trajectory) {
-  say(stderr, fmt::format("{}: {}, {} poses of {}\n", which, file, trajectory.poses.size(),
-                          trajectory.format));
+  say(stderr, fmt::format("{}: {}, {} pose{} of {}\n", which, file, trajectory.poses.size(),
+                          trajectory.poses.size() == 1 ? "" : "s", trajectory.format));
   for (const std::string& remark : trajectory.remarks) say(stderr, "  note: " + remark + "\n");
 }
 

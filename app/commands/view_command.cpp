@@ -84,7 +84,7 @@ std::string add_page_of(Site& site, const ViewOptions& options) {
   }
   find_task(file);
   if (!fs::is_regular_file(file)) {
-    throw UserError(fmt::format("{}: there is no such file\n    is the path right?", file));
+    throw UserError(fmt::format("{}: is no file that can be shown\n    is the path right?", file));
   }
   add_task_pages(site, file);
   return "task";

@@ -117,8 +117,8 @@ PairedPoses pair_poses(const datasets::Trajectory& truth, const datasets::Trajec
   }
   if (found.pairs.size() >= kFewestPairs) return found;
   throw UserError(fmt::format(
-      "only {} poses belong together, of {} and {} of the truth; the estimate goes from {}, the "
-      "truth from {}\n    hint: are they of one run and one clock? --time-offset-s shifts the "
+      "too few poses belong together: {}, of {} and {} of the truth; the estimate goes from {}, "
+      "the truth from {}\n    hint: are they of one run and one clock? --time-offset-s shifts the "
       "estimate, --most-gap-s bridges longer gaps",
       found.pairs.size(), estimate.poses.size(), truth.poses.size(), span_text(estimate),
       span_text(truth)));

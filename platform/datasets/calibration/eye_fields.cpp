@@ -49,6 +49,18 @@ std::optional<cv::Matx33d> matrix_of_four(const config::Node& node,
   return camera_matrix(four->val[0], four->val[1], four->val[2], four->val[3]);
 }
 
+std::optional<double> number_in(const config::Node* node, const std::string& what,
+                                config::Diagnostics& diagnostics) {
+  if (node == nullptr) return {};
+  const std::optional<double> number = number_of(node->text);
+  if (!number) {
+    diagnostics.add(config::fault::no_number, node->place,
+                    fmt::format("{}: '{}' is no number", plain_text(what),
+                                plain_text(node->text.substr(0, 30))));
+  }
+  return number;
+}
+
 std::string lower_letters(const std::string& text) {
   std::string letters;
   for (const char c : text) {

@@ -27,6 +27,10 @@ extern template std::optional<cv::Matx31d> matrix_of<3, 1>(const config::Node&, 
 extern template std::optional<cv::Matx41d> matrix_of<4, 1>(const config::Node&, const std::string&,
                                                            config::Diagnostics&);
 
+/// One number that stands alone; nothing, without a mistake, where there is no node.
+[[nodiscard]] std::optional<double> number_in(const config::Node* node, const std::string& what,
+                                              config::Diagnostics& diagnostics);
+
 /// fx, fy, cx, cy in px as a matrix.
 [[nodiscard]] cv::Matx33d camera_matrix(double fx_px, double fy_px, double cx_px, double cy_px);
 [[nodiscard]] std::optional<cv::Matx33d> matrix_of_four(const config::Node& node,

@@ -98,7 +98,7 @@ double signed_baseline(const StereoModel& model) {
 
 void judge_unit(StereoModel& model, const std::string& names) {
   const double told = std::abs(signed_baseline(model));
-  if (told == 0.0) {
+  if (told == 0.0 && !model.apart) {
     model.remarks.emplace_back(
         "it has no baseline: no distances in metres (P of the right eye has "
         "-fx B in its fourth column)");

@@ -36,9 +36,10 @@ std::optional<cv::Matx33d> matrix_in(const NamedParts& parts, Eye eye,
   }
   double four[4] = {};
   constexpr Part kFour[4] = {Part::fx, Part::fy, Part::cx, Part::cy};
+  constexpr const char* kFourNames[4] = {"fx", "fy", "cx", "cy"};
   for (int k = 0; k < 4; ++k) {
     const Node* one = parts.own_or_common(kFour[k], eye);
-    const auto value = one != nullptr ? number_of(one->text) : std::nullopt;
+    const auto value = number_in(one, kFourNames[k], diagnostics);
     if (!value) return {};
     four[k] = *value;
   }
@@ -172,11 +173,8 @@ StereoModel read_named_matrices(const Node& given, config::Diagnostics& diagnost
       model.pictures_rectified = true;
     }
   }
-  if (const Node* baseline = parts.find(Part::baseline, Eye::both)) {
-    if (const auto value = number_of(baseline->text)) {
-      if (model.pictures_rectified && model.baseline_m == 0.0) model.baseline_m = *value;
-    }
-  }
+  const auto baseline = number_in(parts.find(Part::baseline, Eye::both), "baseline", diagnostics);
+  if (baseline && model.pictures_rectified && model.baseline_m == 0.0) model.baseline_m = *baseline;
   return model;
 }
 

@@ -131,7 +131,7 @@ EyeModel read_boofcv_eye(const Node* of_file, config::Diagnostics& diagnostics) 
   }
   const auto tangential = [&](const char* key) {
     const Node* node = first_of(*of_file, {key});
-    return node != nullptr ? number_of(node->text).value_or(0.0) : 0.0;
+    return number_in(node, key, diagnostics).value_or(0.0);
   };
   radial.resize(std::max<std::size_t>(2, radial.size()), 0.0);
   eye.distortion = {radial[0], radial[1], tangential("t1"), tangential("t2")};

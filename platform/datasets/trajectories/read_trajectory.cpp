@@ -142,7 +142,8 @@ Trajectory read_trajectory(const fs::path& file, const fs::path& times) {
   for (const fs::path& one : {file, times}) {
     if (one.empty()) continue;
     if (!fs::is_regular_file(one, error)) {
-      throw UserError(fmt::format("{}: there is no such file; give a trajectory", one.string()));
+      throw UserError(fmt::format("{}: {}; give a trajectory", one.string(),
+                                  fs::exists(one, error) ? "is no file" : "there is no such file"));
     }
     constexpr std::uintmax_t kMostTrajectory_bytes = 1U << 30;  // bytes: ten hours at 1 kHz
     if (fs::file_size(one, error) > kMostTrajectory_bytes) {

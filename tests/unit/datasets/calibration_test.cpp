@@ -197,6 +197,24 @@ TEST(ReadCalibration, MistakesAreToldWithTheirPlace) {
               HasSubstr("not side by side"));
 }
 
+TEST(ReadCalibration, ANumberThatIsNoneIsToldWithItsPlaceAlsoWhereItStandsAlone) {
+  EXPECT_THAT(mistake_in({"fx: .nan\nfy: 400\ncx: 320\ncy: 240\n"}),
+              HasSubstr("a.yaml:1:5: error: fx: '.nan' is no number"));
+  EXPECT_THAT(mistake_in({"fx: 400\nfy: 400\ncx: 320\ncy: 240\nbaseline: 12 cm\n"}),
+              HasSubstr("a.yaml:5:11: error: baseline: '12 cm' is no number"));
+  EXPECT_THAT(mistake_in({replaced(written::boofcv(), "<t1>0.0", "<t1>x")}), HasSubstr("t1: 'x"));
+}
+
+TEST(ReadCalibration, EyesInOnePlaceAreRefused) {
+  EXPECT_THAT(
+      mistake_in({replaced(written::opencv("M1", "D1", "M2", "D2"), "-0.12, 0.001", "0, 0")}),
+      HasSubstr("the eyes stand"));
+  EXPECT_THAT(mistake_in({"K1: [400, 0, 320, 0, 400, 240, 0, 0, 1]\n"
+                          "K2: [400, 0, 320, 0, 400, 240, 0, 0, 1]\n"
+                          "R: [1, 0, 0, 0, 1, 0, 0, 0, 1]\nT: [0, 0, 0]\n"}),
+              HasSubstr("the eyes stand 0 m apart"));
+}
+
 TEST(ReadCalibration, KittiAndMiddleburyTellOfPicturesThatAreRectified) {
   const std::string kitti =
       "P0: 707.0912 0 601.8873 0 0 707.0912 183.1104 0 0 0 1 0\n"
