@@ -1,15 +1,13 @@
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <filesystem>
 #include <memory>
 #include <thread>
 
-#include "striate/agent/memory_json.hpp"
 #include "striate/agent/pictures/cycle_sheet.hpp"
 #include "striate/agent/replay/replay_mission.hpp"
 #include "striate/app/command_line/found_file.hpp"
 #include "striate/app/commands/commands.hpp"
+#include "striate/app/commands/compare_replays.hpp"
 #include "striate/app/commands/foxglove_options.hpp"
 #include "striate/app/interrupt.hpp"
 #include "striate/app/pace.hpp"
@@ -32,38 +30,6 @@ struct ReplayCommandOptions {
   bool json = false;
 };
 
-/// What came of running a recording again.
-struct Comparison {
-  std::uint64_t cycles = 0;
-  std::uint64_t differing = 0;
-  std::uint64_t first_cycle = 0;  ///< that differs; 0: none
-  double first_s = 0.0;
-  std::vector<std::string> first;  ///< what differs there
-
-  /// What holds no cycle shows nothing.
-  [[nodiscard]] bool identical() const { return cycles > 0 && differing == 0; }
-  std::uint64_t gaps = 0;       ///< cycles that the recorder left out, within the file
-  std::uint64_t first_gap = 0;  ///< the first of them
-  double lasts_s = 0.0;
-};
-
-void compare(const agent::ReplayMission& mission, Comparison& result) {
-  const std::uint64_t number = mission.recorded().number;
-  const std::uint64_t expected = result.cycles + result.gaps + 1;
-  if (number > expected) {
-    if (result.gaps == 0) result.first_gap = expected;
-    result.gaps += number - expected;
-  }
-  ++result.cycles;
-  result.lasts_s = to_seconds(mission.recorded().senses.now);
-  const std::vector<std::string> found = mission.differences();
-  if (found.empty()) return;
-  if (result.differing++ > 0) return;
-  result.first_cycle = number;
-  result.first_s = result.lasts_s;
-  result.first = found;
-}
-
 void take_image(const agent::ReplayMission& mission, const ReplayCommandOptions& options) {
   if (options.picture_every <= 0 || options.pictures.empty()) return;
   const std::uint64_t number = mission.recorded().number;
@@ -74,58 +40,6 @@ void take_image(const agent::ReplayMission& mission, const ReplayCommandOptions&
   write_picture(fmt::format("{}/overview_{:05d}.png", options.pictures, number),
                 agent::pictures::draw_cycle_sheet(mission.cycle(), mission.robot(),
                                                   mission.trajectory(), caption));
-}
-
-const char* ending_text(replay::Ending ending) {
-  return ending == replay::Ending::cut_off ? "cut off: the run was killed or the disk was full"
-                                           : "whole";
-}
-
-void print_text(const agent::ReplayMission& mission, const Comparison& result) {
-  const replay::RecordedSetup& setup = mission.setup();
-  fmt::print("{} in {}, seed {}, recorded by {}\n", setup.task,
-             setup.world.empty() ? "the real world" : setup.world, setup.seed, setup.software);
-  fmt::print("  recording   {} cycles, {:.1f} s, {}\n", result.cycles, result.lasts_s,
-             ending_text(mission.ending()));
-  if (result.gaps > 0) {
-    fmt::print(
-        "  gaps        {} cycles were not recorded, the first is {}: from there on memory\n"
-        "              cannot be the same\n",
-        result.gaps, result.first_gap);
-  }
-  for (const std::string& line : mission.changed_settings()) {
-    fmt::print("  setting     {}\n", line);
-  }
-  if (result.cycles == 0) {
-    fmt::print("  decisions   none: the recording holds no cycle\n");
-    return;
-  }
-  if (result.first_cycle == 0) {
-    fmt::print("  decisions   the same in all cycles, bit for bit\n");
-    return;
-  }
-  fmt::print("  decisions   differ in {} cycles, first in cycle {} ({:.1f} s):\n", result.differing,
-             result.first_cycle, result.first_s);
-  for (const std::string& line : result.first) fmt::print("    {}\n", line);
-}
-
-void print_as_json(const agent::ReplayMission& mission, const Comparison& result) {
-  nlohmann::ordered_json json = {{"task", mission.setup().task},
-                                 {"world", mission.setup().world},
-                                 {"seed", mission.setup().seed},
-                                 {"software", mission.setup().software},
-                                 {"cycles", result.cycles},
-                                 {"duration_s", result.lasts_s},
-                                 {"whole", mission.ending() == replay::Ending::closed},
-                                 {"cycles_not_recorded", result.gaps},
-                                 {"changed_settings", mission.changed_settings()},
-                                 {"identical", result.identical()},
-                                 {"differing_cycles", result.differing}};
-  if (result.first_cycle > 0) {
-    json["first_difference"] = {
-        {"cycle", result.first_cycle}, {"time_s", result.first_s}, {"what", result.first}};
-  }
-  fmt::print("{}", agent::print_json(json));
 }
 
 /// A recording as it is shown: at a speed that eyes can follow, and held where a viewer pauses it.

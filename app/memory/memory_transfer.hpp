@@ -8,6 +8,9 @@
 /// The long-term memory whole, as JSON: `striate memory export` and `import`.
 namespace striate::app {
 
+/// Version of the exported file; a reader refuses others.
+constexpr int kMemoryExport = 1;
+
 /// Everything that a memory holds; damaged views are left out and counted.
 [[nodiscard]] nlohmann::ordered_json export_memory(memory::MemoryTables& tables);
 

@@ -8,7 +8,9 @@
 #include <opencv2/calib3d.hpp>
 
 #include "striate/base/user_error.hpp"
+#include "striate/evaluation/calibration/calibration_checks.hpp"
 #include "striate/evaluation/calibration/consistent_pairs.hpp"
+#include "striate/evaluation/calibration/row_errors.hpp"
 
 namespace striate::evaluation {
 namespace {
@@ -16,59 +18,16 @@ namespace {
 /// Of 40 to 60 degrees: no third radial term; with it a few images give wild edges
 constexpr int kLens = cv::CALIB_FIX_K3;
 
-/// Times the middle error: a look that is worse was found or seen wrongly (by hand)
-constexpr double kWorse = 4.0;
-
 struct Corners {
   std::vector<std::vector<cv::Point3f>> board;
   std::vector<std::vector<cv::Point2f>> left;
   std::vector<std::vector<cv::Point2f>> right;
 };
 
-struct Rectification {
-  cv::Mat turn_left;
-  cv::Mat turn_right;
-  cv::Mat project_left;
-  cv::Mat project_right;
-};
-
 struct OneEye {
   pioneer::CameraModel camera;
   std::vector<double> errors_px;  ///< of every look
 };
-
-cv::Vec<double, 5> five(const cv::Mat& distortion) {
-  cv::Vec<double, 5> result{};
-  for (int i = 0; i < std::min<int>(5, static_cast<int>(distortion.total())); ++i) {
-    result[i] = distortion.at<double>(i);
-  }
-  return result;
-}
-
-Rectification rectification_of(const pioneer::StereoCalibration& calibration) {
-  Rectification result;
-  cv::Mat to_depth;
-  cv::stereoRectify(calibration.left.matrix, calibration.left.distortion, calibration.right.matrix,
-                    calibration.right.distortion, calibration.size_px, calibration.rotation,
-                    calibration.translation_m, result.turn_left, result.turn_right,
-                    result.project_left, result.project_right, to_depth);
-  return result;
-}
-
-double squared_heights(const BoardPair& pair, const pioneer::StereoCalibration& calibration,
-                       const Rectification& rectified) {
-  std::vector<cv::Point2f> left;
-  std::vector<cv::Point2f> right;
-  cv::undistortPoints(pair.left_px, left, calibration.left.matrix, calibration.left.distortion,
-                      rectified.turn_left, rectified.project_left);
-  cv::undistortPoints(pair.right_px, right, calibration.right.matrix, calibration.right.distortion,
-                      rectified.turn_right, rectified.project_right);
-  double sum = 0.0;
-  for (std::size_t i = 0; i < left.size(); ++i) {
-    sum += std::pow(static_cast<double>(left[i].y) - static_cast<double>(right[i].y), 2);
-  }
-  return sum;
-}
 
 Corners gather(const std::vector<BoardPair>& pairs, const Chessboard& board) {
   Corners corners;
@@ -108,16 +67,6 @@ pioneer::StereoCalibration lenses_of(const std::vector<BoardPair>& pairs, const 
   lenses.left = left.camera;
   lenses.right = right.camera;
   return lenses;
-}
-
-double middle_of(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
-double limit_of(const std::vector<double>& errors_px) {
-  return std::max(pioneer::kPoor_px, kWorse * middle_of(errors_px));
 }
 
 std::vector<BoardPair> chosen(const std::vector<BoardPair>& pairs,
@@ -175,68 +124,6 @@ CalibrationReport calibrate_together(const std::vector<BoardPair>& pairs, const 
   }
   found.epipolar_px = std::sqrt(sum / points);
   return report;
-}
-
-/// Index of the pair that is far worse than the others; as many as there are pairs: none is.
-std::size_t far_worse(const std::vector<PairError>& pairs) {
-  std::vector<double> errors_px;
-  for (const PairError& pair : pairs) {
-    errors_px.push_back(std::max(pair.reprojection_px, pair.epipolar_px));
-  }
-  const auto worst = std::ranges::max_element(errors_px);
-  if (*worst <= limit_of(errors_px)) return pairs.size();
-  return static_cast<std::size_t>(worst - errors_px.begin());
-}
-
-std::vector<PairError> left_out_of(const std::vector<BoardPair>& all,
-                                   const CalibrationReport& report, const Chessboard& board) {
-  std::vector<PairError> result;
-  const Rectification rectified = rectification_of(report.calibration);
-  for (const BoardPair& pair : all) {
-    if (std::ranges::find(report.pairs, pair.name, &PairError::name) != report.pairs.end()) {
-      continue;
-    }
-    const double squared = squared_heights(pair, report.calibration, rectified);
-    result.push_back({pair.name, disagreement_px(pair, board, report.calibration),
-                      std::sqrt(squared / static_cast<double>(pair.left_px.size()))});
-  }
-  std::ranges::sort(result, std::greater<>(), &PairError::reprojection_px);
-  return result;
-}
-
-constexpr const char* kMoment =
-    "\n  hint: both images of a pair must be taken at the same moment, of a board that does not "
-    "move and lies flat on something stiff";
-
-void check_agreeing(const std::vector<BoardPair>& kept, const std::vector<BoardPair>& all) {
-  if (kept.size() >= kFewestPairs && 2 * kept.size() > all.size()) return;
-  std::string others;
-  for (const BoardPair& pair : all) {
-    if (std::ranges::find(kept, pair.name, &BoardPair::name) != kept.end()) continue;
-    others += (others.empty() ? "" : ", ") + pair.name;
-  }
-  throw UserError(
-      fmt::format("of {} pairs no more than {} agree on how the two cameras stand to each other; "
-                  "at least {} are needed, and more than half. These do not: {}{}",
-                  all.size(), kept.size(), kFewestPairs, others, kMoment));
-}
-
-void check_exact(const CalibrationReport& report) {
-  const double error = pioneer::error_px(report.calibration);
-  if (pioneer::exactness_of(error) != pioneer::Exactness::useless) return;
-  throw UserError(
-      fmt::format("the calibration errs by {:.1f} px, with which no picture is matched rightly; up "
-                  "to {:.0f} px "
-                  "can be used, below 0.5 px is usual. The worst pairs: {}{}",
-                  error, pioneer::kUseless_px, worst_of(report.pairs), kMoment));
-}
-
-void check_enough(const std::vector<BoardPair>& pairs) {
-  if (pairs.size() >= kFewestPairs) return;
-  throw UserError(
-      fmt::format("{} pairs show the whole board in both images, {} are needed\n"
-                  "  hint: 15 to 30, near and far, tilted, and in all corners of the image",
-                  pairs.size(), kFewestPairs));
 }
 
 }  // namespace

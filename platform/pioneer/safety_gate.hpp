@@ -72,6 +72,9 @@ class SafetyGate {
   void send(const Motion& motion, TimePoint now);
   void send_stop(TimePoint now);
 
+  /// Slower is standing: ten times the resolution of a SIP's wheel speeds
+  static constexpr double kCreepsMm_s = 10.0;
+
   SafetyGateSettings settings_;
   ArcosSession& session_;
   MotorCommand command_;

@@ -16,6 +16,11 @@ inline void append_record(Bytes& to, Kind kind, ByteView content) {
   append(to, content);
 }
 
+/// What is left of some content behind what a reader has taken from it.
+[[nodiscard]] inline ByteView rest_of(ByteView content, const ByteReader& reader) {
+  return content.subspan(content.size() - reader.left());
+}
+
 /// A map behind the number of its bytes.
 template <class Key, class Value>
 void put_map(Bytes& to, const std::map<Key, Value>& map) {

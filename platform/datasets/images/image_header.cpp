@@ -1,72 +1,17 @@
 #include "striate/platform/datasets/images/image_header.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <cstddef>
-#include <string_view>
 
 #include "striate/base/crc_table.hpp"
+#include "striate/platform/datasets/images/tiff_directory.hpp"
 
 namespace striate::datasets {
 namespace {
 
 /// Sides beyond are refused anyway; products of smaller ones fit 64 bits.
 constexpr std::int64_t kNoImage_px = 1'000'000;
-
-/// ImageBytes with bounds: what lies behind the end reads as zero.
-class ImageBytes {
- public:
-  explicit ImageBytes(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
-  [[nodiscard]] std::size_t size() const { return bytes_.size(); }
-  [[nodiscard]] std::uint32_t at(std::size_t i) const { return i < size() ? bytes_[i] : 0U; }
-  [[nodiscard]] std::uint32_t big16(std::size_t i) const { return at(i) << 8 | at(i + 1); }
-  [[nodiscard]] std::uint32_t big32(std::size_t i) const { return big16(i) << 16 | big16(i + 2); }
-  [[nodiscard]] std::uint32_t little16(std::size_t i) const { return at(i + 1) << 8 | at(i); }
-  [[nodiscard]] std::uint32_t little32(std::size_t i) const {
-    return little16(i + 2) << 16 | little16(i);
-  }
-  [[nodiscard]] bool says(std::size_t i, std::string_view text) const {
-    for (std::size_t k = 0; k < text.size(); ++k) {
-      if (i + k >= size() || bytes_[i + k] != static_cast<std::uint8_t>(text[k])) return false;
-    }
-    return true;
-  }
-
- private:
-  std::span<const std::uint8_t> bytes_;
-};
-
-/// What a TIFF directory says, in a TIFF file or in the EXIF of another one.
-struct TiffDirectory {
-  std::int64_t width_px = 0;
-  std::int64_t height_px = 0;
-  int orientation = 1;
-};
-
-/// The first directory of the TIFF structure that begins at `start`.
-TiffDirectory tiff_directory(const ImageBytes& bytes, std::size_t start) {
-  const bool little = bytes.says(start, "II");
-  const auto two = [&](std::size_t i) { return little ? bytes.little16(i) : bytes.big16(i); };
-  const auto four = [&](std::size_t i) { return little ? bytes.little32(i) : bytes.big32(i); };
-  // TIFF 6.0 tags ImageWidth, ImageLength and Orientation, type SHORT
-  constexpr std::uint32_t kWidth = 256, kHeight = 257, kOrientation = 274, kShort = 3;
-  TiffDirectory found;
-  if (!little && !bytes.says(start, "MM")) return found;
-  const std::size_t directory = start + four(start + 4);
-  for (std::size_t entry = 0; entry < two(directory); ++entry) {
-    const std::size_t at = directory + 2 + 12 * entry;
-    if (at + 12 > bytes.size()) break;
-    const std::int64_t value = two(at + 2) == kShort ? two(at + 8) : four(at + 8);
-    // The larger one where a tag stands twice: decoders differ in which they take.
-    if (two(at) == kWidth) found.width_px = std::max(found.width_px, value);
-    if (two(at) == kHeight) found.height_px = std::max(found.height_px, value);
-    if (two(at) == kOrientation && value >= 1 && value <= 8) {
-      found.orientation = static_cast<int>(value);
-    }
-  }
-  return found;
-}
 
 /// The checksum of PNG chunks (ISO 3309, reflected polynomial 0xEDB88320).
 std::uint32_t checksum(const ImageBytes& bytes, std::size_t from, std::size_t to) {

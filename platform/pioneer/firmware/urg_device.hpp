@@ -75,6 +75,8 @@ class UrgDevice {
   TimePoint next_scan_;
   TimePoint next_turn_;  ///< of the mirror, after a scan that was asked for
 
+  /// A level of CR is a hundredth of the speed: which, the specification leaves open (ours)
+  static constexpr int kSlowerShare = 100;
   static constexpr int kBitRate = 19200;  ///< bit/s when it is switched on; URG-04LX
 };
 

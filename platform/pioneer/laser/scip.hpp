@@ -11,6 +11,12 @@
 /// its echo, a status with a sum, lines with sums, and an empty line.
 namespace striate::pioneer::scip {
 
+/// Data comes in lines of so many characters; SCIP 2.0.
+constexpr std::size_t kDataLine = 64;
+
+/// The number that is written there; -1 where not all of it is digits.
+[[nodiscard]] int decimal_of(const std::string& text);
+
 /// One line of a reply: (sum of its bytes & 3F) + 30.
 [[nodiscard]] char sum_of(const std::string& line);
 

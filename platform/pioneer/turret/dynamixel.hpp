@@ -20,6 +20,10 @@ enum class Instruction : std::uint8_t {
   sync_write = 0x83,
 };
 
+/// AX-12A control table, speed and load: bit 10 is clockwise, below it ten bits of size.
+constexpr std::uint16_t kClockwise = 1U << 10;
+constexpr std::uint16_t kSizeBits = kClockwise - 1U;
+
 /// Registers of the AX-12A; two bytes where it says word.
 struct Register {
   static constexpr std::uint8_t model = 0;  // word

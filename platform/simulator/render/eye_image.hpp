@@ -34,6 +34,11 @@ class EyeImage {
   void blur_mirror();
   void add_mirror(const View& view);
 
+  static std::size_t at(int i) { return static_cast<std::size_t>(i); }
+  /// Nothing comes nearer to the eyes: they stand 0.2 m within the robot's outline
+  static constexpr float kNear_m = 0.03F;
+  static constexpr float kFar_m = 300.0F;  // farther than any corridor is long
+
   const Tracer& tracer_;
   const Shader& shader_;
   const People& people_;
