@@ -5,19 +5,28 @@
 #include <numbers>
 #include <opencv2/features2d.hpp>
 
+#include "striate/perception/recognition/evidence.hpp"
 #include "striate/perception/recognition/oriented_keypoints.hpp"
 #include "striate/perception/recognition/recogniser.hpp"
 
 namespace striate::evaluation {
 namespace {
 
+constexpr double kMostChance = 1e9;  // all but what agrees in four keypoints of hundreds
+
 /// So that the threshold can be chosen afterwards.
 perception::RecognitionSettings everything(perception::RecognitionMode mode) {
   perception::RecognitionSettings settings;
   settings.mode = mode;
-  settings.least_inliers = 3;
+  settings.least_inliers = 4;  // three carry any pose
+  settings.most_chance = kMostChance;
   settings.paper_share = 0.0;
   return settings;
+}
+
+/// How unlikely by chance a recognition is: from 0 up, a power of ten each.
+double unlikeliness(double score) {
+  return std::log10(kMostChance) - perception::log10_expected_of(score, kMostChance);
 }
 
 class Ours final : public ObjectMethod {
@@ -45,7 +54,7 @@ class Ours final : public ObjectMethod {
     for (const perception::Recognition& found : recogniser_.recognise(keypoints_(scene))) {
       scores[static_cast<std::size_t>(found.landmark)] =
           settings_.mode == perception::RecognitionMode::paper ? 100.0 * found.matched_fraction
-                                                               : found.inliers;
+                                                               : unlikeliness(found.score);
     }
     return scores;
   }

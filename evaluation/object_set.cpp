@@ -59,6 +59,13 @@ TaughtImage taught(const fs::path& path) {
   TaughtImage image;
   image.grey = datasets::read_any_grey(path);
   image.region = region_of_object(image.grey);
+  // As `striate teach` shrinks what it learns from, for all methods alike.
+  constexpr double kLongestSide_px = 640.0;
+  const double scale = kLongestSide_px / std::max(image.region.width, image.region.height);
+  if (scale >= 1.0) return image;
+  const cv::Mat1b large = image.grey(image.region);
+  cv::resize(large, image.grey, {}, scale, scale, cv::INTER_AREA);
+  image.region = {0, 0, image.grey.cols, image.grey.rows};
   return image;
 }
 

@@ -113,10 +113,11 @@ struct Keypoint {
 struct Recognition {
   int landmark = 0;    ///< as it was handed in with its views
   int view = 0;        ///< the view that agrees best
-  double score = 0.0;  ///< 0..1: inliers / (inliers + the least that count); at least 0.5
+  double score = 0.0;  ///< 0..1: how rare by chance; 0.5 is enough, 0.75 is 10^10 times rarer
   double matched_fraction = 0.0;  ///< 0..1 of the view's keypoints
-  int inliers = 0;                ///< of them; robust: those that agree on one pose
-  double u_px = 0.0;              ///< where the middle of the view is
+  /// Of them; robust: those that agree on one pose and that no other thing has, too
+  int inliers = 0;
+  double u_px = 0.0;  ///< where the middle of the view is
   double v_px = 0.0;
   double width_px = 0.0;  ///< of the upright box that encloses it
   double height_px = 0.0;

@@ -1,6 +1,7 @@
 #include "striate/agent/teaching/image_view.hpp"
 
 #include <algorithm>
+#include <map>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
@@ -23,6 +24,25 @@ void keep_inside(const cv::Mat1b& inside, const cv::Size& size,
     return small(std::clamp(cvRound(point.v_px), 0, size.height - 1),
                  std::clamp(cvRound(point.u_px), 0, size.width - 1)) == 0;
   });
+}
+
+/// From afar only the large keypoints are seen, from near only the small ones find their like. So
+/// each size has its share, however large the picture was: the strongest of all sizes in turn.
+void keep_strongest_of_each_size(std::vector<perception::Keypoint>& points, std::size_t most) {
+  std::stable_sort(points.begin(), points.end(),
+                   [](const perception::Keypoint& a, const perception::Keypoint& b) {
+                     return a.response > b.response;
+                   });
+  std::map<double, std::size_t> seen;  // of each size
+  std::vector<std::pair<std::size_t, std::size_t>> turns;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    turns.emplace_back(seen[points[k].wavelength_px]++, k);
+  }
+  std::ranges::sort(turns);
+  if (turns.size() > most) turns.resize(most);
+  std::vector<perception::Keypoint> kept;
+  for (const auto& [turn, k] : turns) kept.push_back(points[k]);
+  points = std::move(kept);
 }
 
 perception::ViewKeypoint stored(const perception::Keypoint& point) {
@@ -60,13 +80,7 @@ memory::StoredView view_of_image(const cv::Mat3b& image, const memory::LongTermS
   cv::cvtColor(small, grey, cv::COLOR_BGR2GRAY);
   std::vector<perception::Keypoint> points = keypoints_to_learn(grey);
   if (!inside.empty()) keep_inside(inside, small.size(), points);
-  std::stable_sort(points.begin(), points.end(),
-                   [](const perception::Keypoint& a, const perception::Keypoint& b) {
-                     return a.response > b.response;
-                   });
-  if (static_cast<int>(points.size()) > settings.most_keypoints) {
-    points.resize(static_cast<std::size_t>(settings.most_keypoints));
-  }
+  keep_strongest_of_each_size(points, static_cast<std::size_t>(settings.most_keypoints));
   for (const perception::Keypoint& point : points) {
     view.keypoints.push_back(stored(point));
     view.descriptors.push_back(memory::stored(point.descriptor));

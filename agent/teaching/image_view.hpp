@@ -15,7 +15,7 @@ namespace striate::agent {
 [[nodiscard]] cv::Mat3b picture_to_learn(const cv::Mat3b& image);
 
 /// A view of what an image shows, with the image itself as JPEG. Larger images than 640 px are
-/// shrunk first; of too many keypoints the strongest stay.
+/// shrunk first; of too many keypoints the strongest of each size stay.
 /// @param inside of the image's size: keypoints are taken where it is not 0; empty: everywhere
 [[nodiscard]] memory::StoredView view_of_image(const cv::Mat3b& image,
                                                const memory::LongTermSettings& settings,

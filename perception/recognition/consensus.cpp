@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "striate/base/index_within.hpp"
+#include "striate/perception/recognition/claims.hpp"
 
 namespace striate::perception {
 namespace {
@@ -36,6 +36,10 @@ Turn turn_of(const Pose& pose) {
 }
 
 }  // namespace
+
+bool turned_alike(const Pose& a, const Pose& b) {
+  return alike(turn_of(a), turn_of(b));
+}
 
 /// The pair whose proposal most pairs support; of equals the first.
 std::size_t ConsensusFinder::propose(std::span<const PlacePair> pairs, double tolerance_px) {
@@ -74,25 +78,6 @@ bool ConsensusFinder::plausible(const Pose& pose) const {
          pose.scale() < 1.0 / settings_.least_scale;
 }
 
-/// Several keypoints of the image may agree with one of the view: it counts once. So does a place
-/// of the image that several keypoints of the view claim.
-int ConsensusFinder::distinct() {
-  int count = 0;
-  for (const bool of_view : {true, false}) {
-    points_.clear();
-    for (const PlacePair& pair : agreeing_) {
-      const int place =
-          round_within(pair.image.v_px, 0, 32767) * 65536 + round_within(pair.image.u_px, 0, 65535);
-      points_.push_back(of_view ? pair.view_point : place);
-    }
-    std::ranges::sort(points_);
-    const auto repeated = std::ranges::unique(points_);
-    const int different = static_cast<int>(repeated.begin() - points_.begin());
-    count = of_view ? different : std::min(count, different);
-  }
-  return count;
-}
-
 Consensus ConsensusFinder::find(std::span<const PlacePair> pairs, double width_px,
                                 double height_px) {
   if (pairs.size() < 3) return {};
@@ -111,7 +96,7 @@ Consensus ConsensusFinder::find(std::span<const PlacePair> pairs, double width_p
     if (!plausible(pose)) return {};
     gather(pairs, pose, settings_.fit_tolerance * side_px * (round == 0 ? 2.0 : 1.0));
   }
-  return {distinct(), pose};
+  return {different_keypoints(agreeing_, points_), pose};
 }
 
 }  // namespace striate::perception

@@ -14,6 +14,9 @@ struct Consensus {
   Pose pose;        ///< view to image
 };
 
+/// Whether two poses differ by less than a factor of two in size and less than 36 degrees in turn.
+[[nodiscard]] bool turned_alike(const Pose& a, const Pose& b);
+
 /// Finds the pose of a view by voting: every pair proposes the similarity that its two keypoints
 /// say (place, size, orientation); the proposal that most others support is refined by least
 /// squares, first as a similarity, then as an affine map. No random numbers: all are tried. Keeps
@@ -24,12 +27,13 @@ class ConsensusFinder {
 
   /// @param width_px, height_px of the view; tolerances are shares of its mean side.
   [[nodiscard]] Consensus find(std::span<const PlacePair> pairs, double width_px, double height_px);
+  /// The pairs that agree with what find() found; valid until it is called again.
+  [[nodiscard]] std::span<const PlacePair> agreeing() const { return agreeing_; }
 
  private:
   std::size_t propose(std::span<const PlacePair> pairs, double tolerance_px);
   void gather(std::span<const PlacePair> pairs, const Pose& pose, double tolerance_px);
   [[nodiscard]] bool plausible(const Pose& pose) const;
-  [[nodiscard]] int distinct();
 
   RecognitionSettings settings_;
   std::vector<Pose> poses_;  ///< that each pair says by itself

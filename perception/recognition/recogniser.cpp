@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <numeric>
 #include <stdexcept>
 
 #include "striate/base/user_error.hpp"
@@ -30,6 +32,7 @@ void check(const RecognitionSettings& s) {
     throw UserError("recognition: limits must be 1 .. 257 bits");
   }
   if (s.least_inliers < 3) throw UserError("recognition: 'least_inliers' must be at least 3");
+  if (!(s.most_chance > 0.0)) throw UserError("recognition: 'most_chance' must be above 0");
 }
 
 KeypointFrame place_of(const ViewKeypoint& point) {
@@ -64,7 +67,8 @@ int Recogniser::add(int landmark, const LandmarkView& view) {
   }
   auto free = std::ranges::find(views_, false, &View::in_use);
   if (free == views_.end()) free = views_.insert(views_.end(), View{});
-  *free = {true, landmark, {}, {}, view.width_px, view.height_px};
+  *free = {true, landmark, {}, {}, view.width_px, view.height_px, view.descriptors, {}};
+  for (View& one : views_) one.shared.clear();
   free->store.append(view.descriptors);
   for (const ViewKeypoint& point : view.keypoints) free->places.push_back(place_of(point));
   ++in_use_;
@@ -75,6 +79,7 @@ void Recogniser::remove(int view) {
   View& removed = views_.at(static_cast<std::size_t>(view));
   if (!removed.in_use) throw std::out_of_range("Recogniser: no such view");
   removed = {};
+  for (View& one : views_) one.shared.clear();
   --in_use_;
 }
 
@@ -98,23 +103,27 @@ const std::vector<Recognition>& Recogniser::recognise(std::span<const Keypoint> 
 
 void Recogniser::begin(std::span<const Keypoint> keypoints) {
   found_.clear();
+  why_.clear();
+  claims_.clear();
   looked_at_ = 0;
   queries_.clear();
+  query_places_.clear();
   finest_px_ = std::numeric_limits<double>::infinity();
   for (const Keypoint& point : keypoints) {
     queries_.push_back(point.descriptor);
+    query_places_.push_back(place_of(point));
     finest_px_ = std::min(finest_px_, point.wavelength_px);
   }
 }
 
 void Recogniser::look_for(int number, std::span<const Keypoint> keypoints) {
-  const View& view = views_.at(static_cast<std::size_t>(number));
+  View& view = views_.at(static_cast<std::size_t>(number));
   if (!view.in_use) return;
   ++looked_at_;
   Recognition found{.landmark = view.landmark, .view = number};
   const bool there = settings_.mode == RecognitionMode::paper
                          ? find_by_papers_rule(view, keypoints, found)
-                         : find_pose(view, keypoints, found);
+                         : find_pose(view, found);
   if (there) keep(found);
 }
 
@@ -140,41 +149,65 @@ bool Recogniser::find_by_papers_rule(const View& view, std::span<const Keypoint>
   return true;
 }
 
-bool Recogniser::find_pose(const View& view, std::span<const Keypoint> keypoints,
-                           Recognition& found) {
-  const auto limit = static_cast<std::uint32_t>(settings_.limit_bits);
-  const std::span<const Match> matches = search_.below(queries_, view.store, limit);
-  pairs_.clear();
-  for (std::size_t from = 0, to = 0; from < matches.size(); from = to) {
-    while (to < matches.size() && matches[to].query == matches[from].query) ++to;
-    add_pair(view, keypoints[matches[from].query], matches.subspan(from, to - from));
-  }
+bool Recogniser::find_pose(View& view, Recognition& found) {
+  find_pairs(view, queries_, query_places_);
   if (pairs_.size() < static_cast<std::size_t>(settings_.least_inliers)) return false;
   const Consensus consensus = consensus_.find(pairs_, view.width_px, view.height_px);
   if (consensus.inliers < settings_.least_inliers) return false;
   if (std::abs(consensus.pose.angle_rad()) > settings_.most_turn_rad) return false;
-  if (share_of_visible(view, consensus) < settings_.least_share) return false;
-  found.inliers = consensus.inliers;
+  compared_ = {pairs_under(pairs_, consensus.pose, view.width_px, view.height_px), consensus.pose,
+               std::sqrt(view.width_px * view.height_px)};
+  if (!is_enough(evidence(consensus_.agreeing(), compared_))) return false;
+  const double all_inliers = consensus.inliers;
+  found.inliers = keep_what_is_its_own(view);
+  found.score = evidence(agreeing_, compared_);
+  if (found.inliers < settings_.least_inliers || !is_enough(found.score)) return false;
+  if (!agrees_all_over(view, consensus, found.inliers / all_inliers)) return false;
   found.matched_fraction = consensus.inliers / static_cast<double>(view.store.size());
-  found.score =
-      consensus.inliers / static_cast<double>(consensus.inliers + settings_.least_inliers);
   write_pose(consensus.pose, view.width_px, view.height_px, found);
   return true;
 }
 
-/// From afar only the coarse keypoints of a view can be seen: of them, the share that agrees.
-double Recogniser::share_of_visible(const View& view, const Consensus& consensus) const {
+/// All pairs of a view and some descriptors with their places.
+void Recogniser::find_pairs(const View& view, std::span<const Descriptor> descriptors,
+                            std::span<const KeypointFrame> places) {
+  const auto limit = static_cast<std::uint32_t>(settings_.limit_bits);
+  const std::span<const Match> matches = search_.below(descriptors, view.store, limit);
+  pairs_.clear();
+  for (std::size_t from = 0, to = 0; from < matches.size(); from = to) {
+    while (to < matches.size() && matches[to].query == matches[from].query) ++to;
+    add_pair(view, places[matches[from].query], matches.subspan(from, to - from));
+  }
+}
+
+/// How far agreement is beyond chance, on a scale from 0 to 1 on which 0.5 is enough: in a memory
+/// with more views, and among more pairs, chance has more opportunities.
+double Recogniser::evidence(std::span<const PlacePair> agreeing, const Found& of) {
+  residuals_of(agreeing, of.pose, of.side_px, residuals_);
+  const double chance = std::log10(static_cast<double>(std::max<std::size_t>(1, in_use_))) +
+                        log10_chance(of.all, residuals_, of.carried);
+  return score_of_chance(chance, settings_.most_chance);
+}
+
+/// From afar only the coarse keypoints of a view can be seen: of them, the share that agrees, and
+/// whether those lie all over what is seen.
+bool Recogniser::agrees_all_over(const View& view, const Consensus& consensus, double own) {
+  if (settings_.least_share <= 0.0 && settings_.least_spread <= 0.0) return true;
   // Of the finest keypoint's size: scales are sqrt(2) apart, so half a step is 0.84 (ours)
   constexpr double kAboutAsLarge = 0.9;
   const double least_px = kAboutAsLarge * finest_px_ / consensus.pose.scale();
-  const auto visible = std::ranges::count_if(
-      view.places, [&](const KeypointFrame& p) { return p.size_px >= least_px; });
-  return consensus.inliers / std::max(1.0, static_cast<double>(visible));
+  visible_.clear();
+  std::ranges::copy_if(view.places, std::back_inserter(visible_), [&](const KeypointFrame& place) {
+    return place.size_px >= least_px && !view.shared.holds(place);
+  });
+  const double share = own * consensus.inliers / std::max<double>(1.0, visible_.size());
+  return share >= settings_.least_share &&
+         spread(visible_, agreeing_, view.width_px, view.height_px) >= settings_.least_spread;
 }
 
 /// The nearest keypoint of a view, if another place of the view is not nearly as near.
-/// @param matches of one keypoint of the image.
-void Recogniser::add_pair(const View& view, const Keypoint& keypoint,
+/// @param matches of the image's keypoint that is there
+void Recogniser::add_pair(const View& view, const KeypointFrame& image_place,
                           std::span<const Match> matches) {
   const Match& first = *std::ranges::min_element(matches, {}, &Match::distance_bits);
   const KeypointFrame& place = view.places[first.stored];
@@ -186,23 +219,55 @@ void Recogniser::add_pair(const View& view, const Keypoint& keypoint,
     second_bits = std::min<double>(second_bits, match.distance_bits);
   }
   if (first.distance_bits >= settings_.ratio * second_bits) return;
-  pairs_.push_back({place, place_of(keypoint), static_cast<int>(first.stored)});
+  pairs_.push_back({place, image_place, static_cast<int>(first.stored)});
 }
 
 /// One landmark is reported once: by the view that most of it agrees with.
 void Recogniser::keep(const Recognition& recognition) {
   const auto same = std::ranges::find(found_, recognition.landmark, &Recognition::landmark);
+  const auto number = static_cast<std::size_t>(same - found_.begin());
   if (same == found_.end()) {
     found_.push_back(recognition);
-    return;
+    why_.push_back(compared_);
+  } else {
+    const bool better = settings_.mode == RecognitionMode::paper
+                            ? recognition.matched_fraction > same->matched_fraction
+                            : recognition.inliers > same->inliers;
+    if (!better) return;
+    *same = recognition;
+    why_[number] = compared_;
   }
-  const bool better = settings_.mode == RecognitionMode::paper
-                          ? recognition.matched_fraction > same->matched_fraction
-                          : recognition.inliers > same->inliers;
-  if (better) *same = recognition;
+  if (settings_.mode == RecognitionMode::robust) claims_.put(number, agreeing_);
+}
+
+/// What tells two alike things apart decides, not what they share: a keypoint of the image speaks
+/// for the thing that most keypoints speak for, and what is left must do for the others.
+void Recogniser::leave_each_keypoint_to_one() {
+  order_.resize(found_.size());
+  std::iota(order_.begin(), order_.end(), std::size_t{0});
+  std::ranges::sort(order_, [&](std::size_t i, std::size_t j) {
+    const Recognition &a = found_[i], &b = found_[j];
+    return a.inliers != b.inliers ? a.inliers > b.inliers : a.landmark < b.landmark;
+  });
+  claims_.begin_taking();
+  for (const std::size_t number : order_) {
+    Recognition& found = found_[number];
+    const std::span<const PlacePair> left = claims_.left(number);
+    const int count = different_keypoints(left, points_) + why_[number].carried;
+    const double score = count < found.inliers ? evidence(left, why_[number]) : found.score;
+    if (count < settings_.least_inliers || !is_enough(score)) {
+      found.inliers = 0;
+      continue;
+    }
+    found.inliers = count;
+    found.score = score;
+    claims_.take(number);
+  }
+  std::erase_if(found_, [](const Recognition& found) { return found.inliers == 0; });
 }
 
 const std::vector<Recognition>& Recogniser::sorted() {
+  if (settings_.mode == RecognitionMode::robust) leave_each_keypoint_to_one();
   // At most one entry a landmark, so that the order is total.
   std::ranges::sort(found_, [](const Recognition& a, const Recognition& b) {
     return a.inliers != b.inliers ? a.inliers > b.inliers : a.landmark < b.landmark;

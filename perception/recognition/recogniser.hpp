@@ -7,9 +7,12 @@
 
 #include "striate/perception/matching/descriptor_store.hpp"
 #include "striate/perception/matching/hamming_search.hpp"
+#include "striate/perception/recognition/claims.hpp"
 #include "striate/perception/recognition/consensus.hpp"
+#include "striate/perception/recognition/evidence.hpp"
 #include "striate/perception/recognition/landmark_view.hpp"
 #include "striate/perception/recognition/recognition_settings.hpp"
+#include "striate/perception/recognition/shared_parts.hpp"
 
 namespace striate::perception {
 
@@ -59,17 +62,32 @@ class Recogniser {
     std::vector<KeypointFrame> places;  ///< of each descriptor
     double width_px = 0.0;
     double height_px = 0.0;
+    std::vector<Descriptor> descriptors;
+    SharedParts shared;  ///< found out when the view is recognised for the first time
   };
 
   void begin(std::span<const Keypoint> keypoints);
   void look_for(int number, std::span<const Keypoint> keypoints);
   [[nodiscard]] bool find_by_papers_rule(const View& view, std::span<const Keypoint> keypoints,
                                          Recognition& found);
-  [[nodiscard]] bool find_pose(const View& view, std::span<const Keypoint> keypoints,
-                               Recognition& found);
-  [[nodiscard]] double share_of_visible(const View& view, const Consensus& consensus) const;
-  void add_pair(const View& view, const Keypoint& keypoint, std::span<const Match> matches);
+  [[nodiscard]] bool find_pose(View& view, Recognition& found);
+  void find_pairs(const View& view, std::span<const Descriptor> descriptors,
+                  std::span<const KeypointFrame> places);
+  void find_shared_parts(View& view);
+  [[nodiscard]] int keep_what_is_its_own(View& view);
+  [[nodiscard]] bool agrees_all_over(const View& view, const Consensus& consensus, double own);
+  void add_pair(const View& view, const KeypointFrame& place, std::span<const Match> matches);
   void keep(const Recognition& recognition);
+  /// What speaks for a view beyond chance.
+  struct Found {
+    PairsUnderPose all;
+    Pose pose;
+    double side_px = 1.0;  ///< of the view
+    int carried = 0;       ///< pairs that carry the pose and tell nothing else
+  };
+  [[nodiscard]] double evidence(std::span<const PlacePair> agreeing, const Found& of);
+  [[nodiscard]] static bool is_enough(double score) { return score >= 0.5; }
+  void leave_each_keypoint_to_one();
   const std::vector<Recognition>& sorted();
 
   RecognitionSettings settings_;
@@ -79,9 +97,18 @@ class Recogniser {
   HammingSearch search_;
   ConsensusFinder consensus_;
   std::vector<Descriptor> queries_;
+  std::vector<KeypointFrame> query_places_;
   std::vector<PlacePair> pairs_;
-  std::vector<Match> nearest_;  ///< paper: of every descriptor of a view
+  std::vector<PlacePair> agreeing_;     ///< of them, those that count
+  std::vector<Match> nearest_;          ///< paper: of every descriptor of a view
+  std::vector<KeypointFrame> visible_;  ///< of a view, at the scale it was found at
+  Found compared_;                      ///< of the view that was compared last
+  std::vector<double> residuals_;
   std::vector<Recognition> found_;
+  std::vector<Found> why_;  ///< of each of found_
+  Claims claims_;           ///< of each of found_
+  std::vector<std::size_t> order_;
+  std::vector<int> points_;
 };
 
 }  // namespace striate::perception

@@ -16,8 +16,11 @@ struct RecognitionSettings {
   int limit_bits = 80;
   /// Robust: nearest over second nearest of the same view; tests/evaluation, Objects
   double ratio = 0.85;
-  /// Robust: keypoints that agree on a pose; the strongest of 400 false judgements had 5
-  int least_inliers = 8;
+  /// Robust: keypoints that agree on a pose, however unlikely by chance: two more than carry it
+  int least_inliers = 5;
+  /// Robust: recognitions by chance that are let through, expected in one look at all views. At
+  /// five looks a second one in three minutes, and memory asks for several looks (ours)
+  double most_chance = 0.001;
   /// Of the view's side, when pairs vote: a pair's own angle and size err (ours)
   double vote_tolerance = 0.15;
   /// Of the view's side, when the pose is fitted; 0.03 did no better (tests/evaluation, Objects)
@@ -28,6 +31,10 @@ struct RecognitionSettings {
   double least_scale = 0.15;
   /// Of a view's keypoints large enough at that scale; 0: any. The cycle asks for 0.12
   double least_share = 0.0;
+  /// Of the parts of a view that so many agreeing keypoints would lie in, were they anywhere on it:
+  /// those that they do lie in. Seen things had 0.48 to 1 (jsk_arc2017), labels on other things
+  /// below 0.3. 0: any. The cycle asks for 0.35
+  double least_spread = 0.0;
   /// How far the view may be turned in the image; pi: any way. The cycle allows 45 deg
   double most_turn_rad = 3.2;
 };
@@ -44,6 +51,8 @@ void visit(V& v, RecognitionSettings& s) {
   v.number("ratio", s.ratio, Unit::none, {0.0, 1.0},
            "a pair counts if its distance is so much below that of the second nearest");
   v.integer("least_inliers", s.least_inliers, {3, 1000}, "keypoints that must agree on a pose");
+  v.number("most_chance", s.most_chance, Unit::none, {1e-12, 1e9},
+           "recognitions by chance expected in one look at all views");
   v.number("vote_tolerance", s.vote_tolerance, Unit::fraction, {0.01, 1.0},
            "of the view's side, when pairs vote");
   v.number("fit_tolerance", s.fit_tolerance, Unit::fraction, {0.005, 0.5},
@@ -54,6 +63,8 @@ void visit(V& v, RecognitionSettings& s) {
            "smallest scale of a view; its inverse is the largest");
   v.number("least_share", s.least_share, Unit::fraction, {0.0, 1.0},
            "of a view's keypoints, those large enough to be seen at its scale, that must agree");
+  v.number("least_spread", s.least_spread, Unit::fraction, {0.0, 1.0},
+           "how evenly the agreeing keypoints must lie on what is seen of the view");
   v.number("most_turn", s.most_turn_rad, Unit::angle, {0.0, 3.2},
            "how far a view may be turned in the image");
 }
