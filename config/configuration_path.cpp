@@ -6,6 +6,7 @@
 #include <cstdlib>
 
 #include "striate/base/user_error.hpp"
+#include "striate/config/program_folder.hpp"
 #include "striate/config/quantity.hpp"
 
 namespace striate::config {
@@ -15,11 +16,6 @@ namespace fs = std::filesystem;
 
 bool is_set(const char* value) {
   return value != nullptr && *value != '\0';
-}
-
-fs::path program_folder() {
-  std::error_code code;
-  return fs::read_symlink("/proc/self/exe", code).parent_path();
 }
 
 /// The parts of `given` below a configuration's folder: "tasks/corridor.yaml". None: it is a path.
