@@ -1,6 +1,6 @@
-# `cpack` makes two Debian packages: `striate`, a few MB that a robot needs, and `striate-dev`, the library
+# `cpack` makes these Debian packages: `striate`, a few MB that a robot needs; `striate-dev`, the library
 # with the development packages it is built on (OpenCV's alone pull in some hundred MB), which a robot
-# does not need.
+# does not need; and, where it is built, `python3-striate`, the Python module.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME striate)
 set(CPACK_PACKAGE_VENDOR "Striate")
@@ -9,6 +9,9 @@ set(CPACK_PACKAGE_DIRECTORY ${PROJECT_BINARY_DIR}/packages)
 set(CPACK_VERBATIM_VARIABLES ON)
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "")  # each package below has its own
 set(CPACK_COMPONENTS_ALL striate striate_dev)
+if(STRIATE_PYTHON_FOUND)
+  list(APPEND CPACK_COMPONENTS_ALL striate_python)
+endif()
 set(CPACK_COMPONENTS_GROUPING IGNORE)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
@@ -51,6 +54,20 @@ C++20 with a biological model of visual cortex.
 In CMake, find_package(striate COMPONENTS perception memory agent) gives the
 targets striate::perception and so on, one for each layer.")
 
+if(STRIATE_PYTHON_FOUND)
+  math(EXPR next_python "${Python3_VERSION_MINOR} + 1")
+  set(CPACK_DEBIAN_STRIATE_PYTHON_PACKAGE_NAME python3-striate)
+  set(CPACK_DEBIAN_STRIATE_PYTHON_PACKAGE_SECTION python)
+  set(CPACK_DEBIAN_STRIATE_PYTHON_PACKAGE_SHLIBDEPS ON)
+  string(CONCAT CPACK_DEBIAN_STRIATE_PYTHON_PACKAGE_DEPENDS
+         "striate (= ${PROJECT_VERSION}-1), python3-numpy, "
+         "python3 (>= 3.${Python3_VERSION_MINOR}), python3 (<< 3.${next_python})")
+  set(CPACK_DEBIAN_STRIATE_PYTHON_DESCRIPTION "cognitive robot framework (Python module)
+The module striate: images to disparity, saliency, keypoints and obstacles as
+numpy arrays, memories and recordings, the simulator, and missions with
+behaviours, conditions and pilots that are written in Python.")
+endif()
+
 # What Debian wants beside them. Only in the packages, and so not part of a plain `cmake --install`.
 string(TIMESTAMP STRIATE_DATE "%a, %d %b %Y %H:%M:%S +0000" UTC)
 set(debian_dir ${PROJECT_BINARY_DIR}/debian)
@@ -76,8 +93,9 @@ configure_file(CHANGELOG.md ${debian_dir}/changelog COPYONLY)
 foreach(file changelog changelog.Debian)
   execute_process(COMMAND ${STRIATE_GZIP} -n -9 -k -f ${debian_dir}/${file} COMMAND_ERROR_IS_FATAL ANY)
 endforeach()
-foreach(package striate striate_dev)
+foreach(package ${CPACK_COMPONENTS_ALL})
   string(REPLACE _ - folder share/doc/${package})
+  string(REPLACE striate-python python3-striate folder ${folder})
   install(FILES ${debian_dir}/copyright ${debian_dir}/changelog.gz ${debian_dir}/changelog.Debian.gz
           DESTINATION ${folder} COMPONENT ${package} EXCLUDE_FROM_ALL)
 endforeach()

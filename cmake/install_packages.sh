@@ -1,15 +1,14 @@
 #!/usr/bin/env bash
-# Installs the Debian packages of packages.txt that are missing, with --ros those of packages_ros.txt, with
-# --arm64 those of packages_arm64.txt and with --browser those of packages_browser.txt, too; asks for nothing
-# where none is.
+# Installs the Debian packages of packages.txt that are missing, and with --ros, --python, --arm64 or --browser
+# those of packages_ros.txt, packages_python.txt and so on, too; asks for nothing where none is.
 set -euo pipefail
 folder="$(dirname "${BASH_SOURCE[0]}")"
 lists=("$folder/packages.txt")
 for option in "$@"; do
   case "$option" in
     --browser) lists+=("$folder/packages_browser.txt") ;;
-    --ros | --arm64) lists+=("$folder/packages_${option#--}.txt") ;;
-    *) echo "usage: install_packages.sh [--ros] [--arm64] [--browser]" >&2; exit 2 ;;
+    --ros | --python | --arm64) lists+=("$folder/packages_${option#--}.txt") ;;
+    *) echo "usage: install_packages.sh [--ros] [--python] [--arm64] [--browser]" >&2; exit 2 ;;
   esac
 done
 

@@ -2,7 +2,7 @@
 # of a user's include path is claimed but `striate/`. In the build tree that is a folder of links.
 set(STRIATE_INCLUDE_DIR ${PROJECT_BINARY_DIR}/include)
 file(MAKE_DIRECTORY ${STRIATE_INCLUDE_DIR}/striate)
-foreach(folder agent app base behaviours config evaluation memory perception platform tasks viewer)
+foreach(folder agent app base behaviours config evaluation memory perception platform python tasks viewer)
   file(CREATE_LINK ${PROJECT_SOURCE_DIR}/${folder} ${STRIATE_INCLUDE_DIR}/striate/${folder} SYMBOLIC)
 endforeach()
 
@@ -40,6 +40,13 @@ function(striate_layer name folder allowed)
   endforeach()
   string(REPLACE " " "," allowed_csv "${allowed}")
   set_property(GLOBAL APPEND PROPERTY STRIATE_LAYER_TABLE "${name} ${folder} ${allowed_csv}")
+  striate_rule(${name} ${folder} "${allowed}")
+endfunction()
+
+# The rule alone, for the include test: striate_layer() calls it, and what is no library of its own.
+function(striate_rule name folder allowed)
+  string(REPLACE " " "," allowed_csv "${allowed}")
+  set_property(GLOBAL APPEND PROPERTY STRIATE_RULES "${name} ${folder} ${allowed_csv}")
 endfunction()
 
 # Who links a layer is compiled as C++20, but for a target that reads ROS 1's generated headers.

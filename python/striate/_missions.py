@@ -1,0 +1,31 @@
+"""Missions."""
+
+from ._records import RunResult
+from ._striate import _run
+
+
+def run(task, *, world="", seed=1, robot="", memory="", record="", result="", variables=None,
+        emergency=True, baseline="", start=None, real_time=False, each_cycle=None, pilot=None):
+    """Runs a task script to its end, as `striate run` does, and returns a RunResult.
+
+    task, world, robot: files, or names of shipped ones; without a world the robot is the one that
+    `robot` tells of.  seed: the same seed is the same run, bit for bit.  memory: long-term memory
+    that is used and written.  record, result: files to write.  variables: dict of the task's
+    variables, {'way': '20 m'}.  emergency: sonar and laser may stop the robot.  baseline: drive by
+    the disparities of 'paper', 'sgbm' or 'truth'.  start: Pose along the corridor.  real_time: a
+    simulated robot goes no faster than the clock on the wall.
+
+    each_cycle: called as each_cycle(cycle) after every cycle with a Cycle. False asks for a safe
+    end: the task's `finally` runs. What it raises stops the wheels at once and is raised here.
+    pilot: called as pilot(memory) once a cycle; a Wish takes the wheel through the safety limiter,
+    None leaves it to the task.
+
+    Ctrl-C stops the wheels at the end of the cycle and raises KeyboardInterrupt here; what was
+    driven until then is in memory, recording and result.
+    Raises UserError before anything moves; of what happens on the way RunResult.outcome tells.
+    """
+    found = _run(task=task, world=world, seed=seed, robot=robot, memory=memory, record=record,
+                 result=result, baseline=baseline, variables=dict(variables or {}),
+                 emergency=emergency, real_time=real_time, start=start, each_cycle=each_cycle,
+                 pilot=pilot)
+    return RunResult(*found)
