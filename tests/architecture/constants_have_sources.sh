@@ -5,7 +5,7 @@
 # files with most constants that say too little; with `--list` those constants, one a line.
 here=$(cd "$(dirname "$0")" && pwd)
 cd "$here/../.." || exit 1
-layers="base config platform perception memory behaviours tasks agent evaluation app"
+layers="base config platform perception memory behaviours tasks agent evaluation app python"
 counted=$(find $layers -name '*.cpp' -o -name '*.hpp' | sort |
   xargs awk -f "$here/constants_have_sources.awk") || exit 1
 if [ "$1" = --list ]; then

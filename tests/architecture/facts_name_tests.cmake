@@ -1,7 +1,7 @@
 cmake_minimum_required(VERSION 3.25)
 
 # Holds the documents to what they say. Of every *.md below ROOT:
-# - each mark [Suite.Name] names a test that a TEST, TEST_F or TEST_P in tests/ defines;
+# - each mark [Suite.Name] names a test that a TEST, TEST_F or TEST_P in tests/, or tests/python defines;
 # - each relative link points at a file or folder that exists;
 # - no line of prose is longer than 110 characters (tables, code and the targets of links are exempt).
 # There must be at least 60 marks, so that the facts are not simply left without one.
@@ -22,6 +22,20 @@ foreach(source IN LISTS sources)
     string(REGEX REPLACE "^.*\\([ \n]*([A-Za-z0-9]+),[ \n]*([A-Za-z0-9]+)$" "\\1.\\2" test "${test}")
     set(is_test_${test} TRUE)
     list(APPEND tests ${test})
+  endforeach()
+endforeach()
+# Tests in Python are written as `class Suite` with `def test_is_a_fact`, and named Suite.IsAFact.
+file(GLOB sources ${ROOT}/tests/python/test_*.py)
+foreach(source IN LISTS sources)
+  file(STRINGS ${source} lines REGEX "^(class [A-Za-z0-9]+|    def test_)")
+  foreach(line IN LISTS lines)
+    if(line MATCHES "^class ([A-Za-z0-9]+)")
+      set(suite ${CMAKE_MATCH_1})
+    elseif(line MATCHES "def test_([a-z0-9_]+)")
+      string(REPLACE "_" "" test "${suite}.${CMAKE_MATCH_1}")
+      string(TOLOWER "${test}" test)
+      set(is_python_test_${test} TRUE)
+    endif()
   endforeach()
 endforeach()
 list(LENGTH tests test_count)
@@ -79,7 +93,8 @@ foreach(document IN LISTS documents)
         continue()
       endif()
       math(EXPR marks "${marks}+1")
-      if(NOT is_test_${mark})
+      string(TOLOWER "${mark}" small)
+      if(NOT is_test_${mark} AND NOT is_python_test_${small})
         string(APPEND faults "  ${document}:${number}: no test is called ${mark}\n")
       endif()
     endwhile()

@@ -1,0 +1,201 @@
+"""Behaviours and conditions that are written in Python, in task scripts."""
+
+import unittest
+
+import striate
+from support import MISSION, InScratchFolder
+
+WORLD = MISSION / "world.yaml"
+calls = []
+
+
+@striate.behaviour("arc_of_python", main="by", motors="wheels", arguments={
+    "by": striate.Argument(0.5, "angle", -6.3, 6.3, "how far it turns"),
+    "speed": striate.Argument(0.3, "speed", 0.05, 0.75, "along it"),
+    "times": striate.Argument(1, low=1, high=5, help="how often"),
+    "loud": striate.Argument(False, help="says more"),
+    "words": striate.Argument("turns", help="what it says"),
+    "side": striate.Argument("left", choices=("left", "right"), help="which way"),
+})
+class Arc:
+    """Drives along an arc.
+
+    And more that is no help line.
+    """
+
+    def __init__(self, arguments, robot):
+        self.arguments = arguments
+        self.robot = robot
+        calls.append(("made", dict(arguments)))
+
+    def start(self, memory):
+        self.begin_rad = memory.pose.heading_rad
+        calls.append(("start", memory.now_s))
+
+    def tick(self, memory):
+        if abs(memory.pose.heading_rad - self.begin_rad) >= abs(self.arguments["by"]):
+            return striate.Wish(progress="succeeded", why="the arc is driven")
+        return striate.Wish(forward_m_s=self.arguments["speed"], turn_rad_s=self.arguments["by"], why="drives an arc")
+
+    def halt(self, memory):
+        calls.append(("halt", memory.now_s))
+        return True
+
+
+@striate.condition("on_python_for", unit="duration", low=0, high=100, example="2 s")
+def on_for(memory, limit):
+    """Holds when the clock says so."""
+    return memory.now_s >= limit
+
+
+class Additions(InScratchFolder):
+    def setUp(self):
+        super().setUp()
+        calls.clear()
+
+    def task(self, steps):
+        return self.file("task.yaml", f"striate: 1\nmission: test\ngoal: steps\ndo:\n{steps}\nfinally:\n  - stop: {{}}\n")
+
+    def test_a_behaviour_drives_and_ends(self):
+        why = set()
+        result = striate.run(self.task("  - arc_of_python: {by: 20 deg, speed: 0.2 m/s, times: 2, loud: true, "
+                                       "words: hello, side: right}"),
+                             world=WORLD, each_cycle=lambda cycle: why.add(cycle.wish.why))
+        self.assertEqual(result.outcome, "success")
+        made = [what for name, what in calls if name == "made"][-1]
+        self.assertAlmostEqual(made["by"], 0.349, places=3)
+        self.assertEqual({key: made[key] for key in ("speed", "times", "loud", "words", "side")},
+                         {"speed": 0.2, "times": 2, "loud": True, "words": "hello", "side": "right"})
+        self.assertEqual(sum(name == "start" for name, _ in calls), 1)
+        self.assertIn("drives an arc", why)
+        self.assertGreater(result.distance_m, 0.1)
+
+    def test_its_arguments_are_checked_like_any_others(self):
+        with self.assertRaises(striate.UserError) as caught:
+            striate.run(self.task("  - arc_of_python: {by: 20 kg}\n  - arc_of_python: {sped: 1 m/s}"), world=WORLD)
+        self.assertEqual([one.line for one in caught.exception.problems], [5, 6])
+        self.assertIn("did you mean 'speed'?", str(caught.exception))
+
+    def test_a_condition_ends_a_step(self):
+        at = []
+        result = striate.run(self.task("  - drive_straight: {distance: 5 m, speed: 0.3 m/s}\n"
+                                       "    until: {on_python_for: 1.5 s}"),
+                             world=WORLD, each_cycle=lambda cycle: at.append(cycle.senses.now_s))
+        self.assertEqual(result.outcome, "success")
+        self.assertLess(at[-1], 4.0)
+        with self.assertRaises(striate.UserError):
+            striate.run(self.task("  - wait: 1 s\n    until: {on_python_for: 2 m}"), world=WORLD)
+
+    def test_a_condition_may_be_a_class(self):
+        @striate.condition("ticks_of_python", low=1, high=50, example="3", help="so many cycles")
+        class Ticks:
+            def __init__(self, limit):
+                self.limit = limit
+
+            def start(self, memory):
+                self.count = 0
+
+            def holds(self, memory):
+                self.count += 1
+                return self.count >= self.limit
+
+        result = striate.run(self.task("  - wait: {for: 30 s}\n    until: {ticks_of_python: 4}"), world=WORLD)
+        self.assertLess(result.cycles, 15)
+
+    def test_what_a_behaviour_raises_ends_the_mission_at_a_stand_and_is_raised(self):
+        @striate.behaviour("breaks_in_python")
+        class Breaks:
+            def __init__(self, arguments, robot):
+                pass
+
+            def tick(self, memory):
+                if memory.now_s > 0.5:
+                    raise LookupError("broken within")
+                return striate.Wish(forward_m_s=0.3)
+
+        recording = self.folder / "run.rec"
+        with self.assertRaisesRegex(LookupError, "broken within"):
+            striate.run(self.task("  - breaks_in_python: {}"), world=WORLD, record=recording, real_time=False)
+        self.assertLess(len(list(striate.Recording(recording))), 8)
+
+    def test_what_is_no_wish_is_told(self):
+        for back, says in ((None, "must return a striate.Wish, not NoneType"), (3, "not int"),
+                           (striate.Wish(turn_rad_s=float("inf")), "finite")):
+            @striate.behaviour("says_what_it_likes")
+            class Says:
+                def __init__(self, arguments, robot):
+                    pass
+
+                def tick(self, memory, back=back):
+                    return back
+
+            with self.assertRaisesRegex((TypeError, ValueError), says):
+                striate.run(self.task("  - says_what_it_likes: {}"), world=WORLD)
+
+    def test_what_its_maker_raises_is_raised(self):
+        @striate.behaviour("cannot_be_made")
+        class Cannot:
+            def __init__(self, arguments, robot):
+                raise PermissionError("not today")
+
+        with self.assertRaisesRegex(PermissionError, "not today"):
+            striate.run(self.task("  - cannot_be_made: {}"), world=WORLD)
+
+    def test_memory_that_is_kept_says_that_it_is_over(self):
+        kept = []
+
+        @striate.behaviour("keeps_memory")
+        class Keeps:
+            def __init__(self, arguments, robot):
+                pass
+
+            def tick(self, memory):
+                kept.append(memory)
+                return striate.Wish(progress="succeeded")
+
+        striate.run(self.task("  - keeps_memory: {}"), world=WORLD)
+        with self.assertRaisesRegex(RuntimeError, "is over"):
+            kept[0].pose
+
+    def test_names_that_are_taken_or_none_are_refused(self):
+        class Any:
+            pass
+
+        for name, says in (("stop", "taken"), ("repeat", "taken"), ("Nod!", "which is none"), ("", "which is none")):
+            with self.assertRaisesRegex(striate.UserError, says):
+                striate.behaviour(name)(Any)
+        with self.assertRaisesRegex(striate.UserError, "taken"):
+            striate.condition("travelled")(lambda memory, limit: True)
+        with self.assertRaisesRegex(striate.UserError, "motors 'legs'"):
+            striate.behaviour("legged", motors="legs")(Any)
+        with self.assertRaisesRegex(striate.UserError, "unit 'feet'"):
+            striate.condition("footed", unit="feet")(lambda memory, limit: True)
+        with self.assertRaisesRegex(striate.UserError, "argument 'far'"):
+            striate.behaviour("far_one", main="far")(Any)
+        self.assertNotIn("legged", striate.actions())
+
+    def test_one_of_your_own_may_be_written_anew(self):
+        for speed in (0.1, 0.2):
+            @striate.behaviour("written_twice")
+            class Twice:
+                def __init__(self, arguments, robot):
+                    pass
+
+                def tick(self, memory, speed=speed):
+                    return striate.Wish(forward_m_s=speed, why=f"at {speed}")
+
+            why = set()
+            striate.run(self.task("  - written_twice: {}"), world=WORLD,
+                        each_cycle=lambda cycle: (why.add(cycle.wish.why), cycle.number < 4)[1])
+            self.assertIn(f"at {speed}", why)
+        self.assertEqual(striate.actions().count("written_twice"), 1)
+
+    def test_they_are_listed(self):
+        self.assertIn("arc_of_python", striate.actions())
+        self.assertIn("stop", striate.actions())
+        self.assertIn("on_python_for", striate.conditions())
+        self.assertIn("travelled", striate.conditions())
+
+
+if __name__ == "__main__":
+    unittest.main()
