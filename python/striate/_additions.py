@@ -2,6 +2,7 @@
 
 import inspect
 
+from ._errors import UserError
 from ._striate import _add_behaviour, _add_condition
 
 
@@ -43,6 +44,10 @@ def behaviour(name, *, arguments=None, main="", required=(), motors="both", ends
     Raises UserError for a name that is taken or none.
     """
 
+    for word, one in (arguments or {}).items():
+        if not isinstance(one, Argument):
+            raise TypeError(f"argument {word!r} must be a striate.Argument, not {type(one).__name__}")
+
     def add(cls):
         _add_behaviour(name, cls, help or _first_line(cls), dict(arguments or {}), main,
                        list(required), motors, ends_by_itself, can_fail)
@@ -71,6 +76,9 @@ def condition(name, *, unit="none", low=-1e9, high=1e9, example="1", help=""):
     as for Argument.  low, high: its range, SI units.  example: a value.  help: one line.
     Raises UserError for a name that is taken or none.
     """
+
+    if not low <= high:
+        raise UserError(f"a condition {name!r} with a range from {low} to {high}, in which nothing lies")
 
     def add(what):
         make = what if inspect.isclass(what) else lambda limit: _FunctionCondition(what, limit)

@@ -1,5 +1,8 @@
 """Missions."""
 
+import os
+
+from ._errors import UserError
 from ._records import RunResult
 from ._striate import _run
 
@@ -8,7 +11,7 @@ def run(task, *, world="", seed=1, robot="", memory="", record="", result="", va
         emergency=True, baseline="", start=None, real_time=False, each_cycle=None, pilot=None):
     """Runs a task script to its end, as `striate run` does, and returns a RunResult.
 
-    task, world, robot: files, or names of shipped ones; without a world the robot is the one that
+    task, world, robot: files, or names of shipped ones; task "": the pilot alone drives; without a world the robot is the one that
     `robot` tells of.  seed: the same seed is the same run, bit for bit.  memory: long-term memory
     that is used and written.  record, result: files to write.  variables: dict of the task's
     variables, {'way': '20 m'}.  emergency: sonar and laser may stop the robot.  baseline: drive by
@@ -24,6 +27,8 @@ def run(task, *, world="", seed=1, robot="", memory="", record="", result="", va
     driven until then is in memory, recording and result.
     Raises UserError before anything moves; of what happens on the way RunResult.outcome tells.
     """
+    if not os.fspath(task) and pilot is None:
+        raise UserError("run needs a task script; without one only a pilot can drive: pilot=")
     found = _run(task=task, world=world, seed=seed, robot=robot, memory=memory, record=record,
                  result=result, baseline=baseline, variables=dict(variables or {}),
                  emergency=emergency, real_time=real_time, start=start, each_cycle=each_cycle,

@@ -172,6 +172,10 @@ class Additions(InScratchFolder):
             striate.condition("footed", unit="feet")(lambda memory, limit: True)
         with self.assertRaisesRegex(striate.UserError, "argument 'far'"):
             striate.behaviour("far_one", main="far")(Any)
+        with self.assertRaisesRegex(TypeError, "must be a striate.Argument, not int"):
+            striate.behaviour("with_a_number", arguments={"far": 3})(Any)
+        with self.assertRaisesRegex(striate.UserError, "nothing lies"):
+            striate.condition("from_three_to_one", low=3, high=1)(lambda memory, limit: True)
         self.assertNotIn("legged", striate.actions())
 
     def test_one_of_your_own_may_be_written_anew(self):

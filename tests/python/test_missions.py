@@ -133,6 +133,8 @@ class Missions(InScratchFolder):
         self.assertEqual((caught.exception.file, caught.exception.line), (str(broken), 8))
         with self.assertRaisesRegex(striate.UserError, "has no variable"):
             striate.run(TASK, world=WORLD, variables={"crusie": "1 m/s"})
+        with self.assertRaisesRegex(striate.UserError, "needs a task script"):
+            striate.run("", world=WORLD)
         with self.assertRaises(striate.UserError):
             striate.run(TASK, world=WORLD, baseline="best")
         with self.assertRaises(striate.UserError):
