@@ -42,6 +42,8 @@ struct Column {
   double hidden_from_m = kNothing_m;  ///< the floor cannot be seen from here, the obstacle ...
   double hidden_to_m = kNothing_m;    ///< ... to here; kNothing_m with an obstacle: to no end
   double moving = 0.0;  ///< 0..1: share of the obstacle that was free before; see perception/motion
+  double hangs_from_m = 0.0;  ///< height of the lowest part of an obstacle that hangs over the
+                              ///< floor; 0: it stands on it
 };
 
 /// A blob of neighbouring columns at about the same distance.
@@ -154,6 +156,9 @@ struct Percept {
   bool valid = false;        ///< false: no image has come yet; everything is empty
   double light_level = 0.0;  ///< mean grey 0..1 after exposure control
   double noise_level = 0.0;  ///< estimated noise of a pixel, grey levels of 255
+  /// Height that the line of sight along the image's upper edge gains with each metre: what hangs
+  /// higher was out of view. Not known: infinite.
+  double top_slope = std::numeric_limits<double>::infinity();
   DisparityMap disparity;
   std::vector<Column> columns;      ///< one per column of the working image, left to right
   std::vector<Obstacle> obstacles;  ///< nearest first

@@ -95,7 +95,7 @@ void LocalGrid::add(GridCell cell, float log_odds, TimePoint seen) {
   if (!holds(cell)) return;
   Stored& stored = cells_[index(cell)];
   stored.log_odds = std::clamp(stored.log_odds + log_odds, kLeast, kMost);
-  if (stored.log_odds < kFreeBelow) stored.height_m = 0.0F;
+  if (stored.log_odds < kFreeBelow) stored.height_m = stored.hangs_from_m = 0.0F;
   stored.seen_ms = milliseconds(seen);
 }
 
@@ -113,8 +113,16 @@ void LocalGrid::raise_to(GridCell cell, float height_m) {
   stored.height_m = std::max(stored.height_m, height_m);
 }
 
+float LocalGrid::hangs_from_m(GridCell cell) const {
+  return holds(cell) ? cells_[index(cell)].hangs_from_m : 0.0F;
+}
+
+void LocalGrid::hang_from(GridCell cell, float height_m) {
+  if (holds(cell)) cells_[index(cell)].hangs_from_m = height_m;
+}
+
 void LocalGrid::clear(GridCell cell, TimePoint seen) {
-  if (holds(cell)) cells_[index(cell)] = {kLeast, 0.0F, 0.0F, milliseconds(seen)};
+  if (holds(cell)) cells_[index(cell)] = {kLeast, 0.0F, 0.0F, 0.0F, milliseconds(seen)};
 }
 
 void LocalGrid::fade(const Fade& factor) {

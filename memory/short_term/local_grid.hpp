@@ -64,6 +64,9 @@ class LocalGrid {
   /// Highest part seen of what stands here, metres above the floor; 0 where never seen.
   [[nodiscard]] float height_m(GridCell cell) const;
   void raise_to(GridCell cell, float height_m);
+  /// Height of the lowest part of what hangs over the floor here, metres; 0: it stands on it.
+  [[nodiscard]] float hangs_from_m(GridCell cell) const;
+  void hang_from(GridCell cell, float height_m);
   /// The floor under the robot itself: certainly free.
   void clear(GridCell cell, TimePoint seen);
 
@@ -86,6 +89,7 @@ class LocalGrid {
     float log_odds = 0.0F;
     float moving = 0.0F;
     float height_m = 0.0F;
+    float hangs_from_m = 0.0F;
     std::int32_t seen_ms = 0;
   };
   [[nodiscard]] static std::size_t index(GridCell cell) {

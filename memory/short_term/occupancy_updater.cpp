@@ -21,6 +21,9 @@ constexpr float kSurelyHigher_m = 0.25F;
 constexpr double kStartled_s = 3.0;
 constexpr float kSurelyFree = -1.2F;  // log-odds
 constexpr double kMotionSeen_m = 3.5;
+// What is lower may have been floor to the eyes from farther off: less than the height of one px of
+// disparity 6 m away (perception/README.md). Nobody who walks is so low.
+constexpr float kLow_m = 0.30F;
 // By hand, 0 still .. 1 moving: what stays calms in 17 looks to kSettled, and slowly from there on.
 constexpr float kSettled = 0.35F;
 constexpr float kCalming = 0.94F;    // factor of each look
@@ -42,6 +45,10 @@ constexpr double kSpreadSigmas = 1.2;
 constexpr double kThinFrom_m = 0.1;
 constexpr int kMostSpread = LocalGrid::kSide;  // each way, in steps of a cell: all of the map
 constexpr double kLeastWeight = 0.02;
+// By hand: the view is 0.79 times as wide as it is far, so that of a table of 1.4 m both ends are
+// seen from here on; nearer, it takes seven seconds of free floor to clear what was no table.
+constexpr double kEndsInView_m = 1.8;
+constexpr double kHardly = 0.1;       // share of a look at floor
 constexpr double kHidesBeside = 1.5;  // by hand: a cell two thirds full shows no floor beside it
 constexpr double kMostlyFull = 0.3;   // by hand: share of a look from which a thing has come
 constexpr double kNearest_m = 0.1;    // by hand: nearer than that no column reaches
@@ -49,6 +56,12 @@ constexpr double kNearest_m = 0.1;    // by hand: nearer than that no column rea
 std::size_t slot(GridCell cell) {
   return static_cast<std::size_t>(cell.y & (LocalGrid::kSide - 1)) * LocalGrid::kSide +
          static_cast<std::size_t>(cell.x & (LocalGrid::kSide - 1));
+}
+
+/// How much the floor seen free tells of what hangs over it. Near by, the edge of a table is wider
+/// than the view, and says nothing without its ends; the floor beneath it is seen all the same.
+double told_of_what_hangs(float hangs_from_m, double distance_m) {
+  return hangs_from_m > 0.0F && distance_m < kEndsInView_m ? kHardly : 1.0;
 }
 
 /// A thing that stands is measured anew in every image, so its edge wanders over floor that was
@@ -85,7 +98,8 @@ void OccupancyUpdater::write(const perception::Percept& percept, const Pose2& po
   disparity_metre_px_ = percept.disparity.focal_px * percept.disparity.baseline_m;
   measure_heights(percept);
   const double span = std::abs(wrap_angle(columns.back().bearing_rad - columns[0].bearing_rad));
-  const ViewOfImage look{pose, percept.stamp, span / static_cast<double>(columns.size() - 1)};
+  const ViewOfImage look{pose, percept.stamp, span / static_cast<double>(columns.size() - 1),
+                         percept.top_slope};
   for (std::size_t i = 0; i < columns.size(); ++i) {
     gather_free(columns[i], look);
     gather_past(columns[i], look);
@@ -183,6 +197,9 @@ void OccupancyUpdater::gather_occupied(const perception::Column& column, double 
     const double r = column.obstacle_m + offset_m;
     if (r <= 0.0 || weight < kLeastWeight) continue;
     Mass& mass = touch(LocalGrid::cell_of({look.pose.x_m + r * dx, look.pose.y_m + r * dy}));
+    const auto hangs_from_m = static_cast<float>(column.hangs_from_m);
+    mass.hangs_from_m =
+        mass.occupied > 0.0F ? std::min(mass.hangs_from_m, hangs_from_m) : hangs_from_m;
     mass.occupied += static_cast<float>(weight);
     mass.height_m = std::max(mass.height_m, static_cast<float>(height_m));
   }
@@ -198,7 +215,10 @@ void OccupancyUpdater::settle(GridCell cell, const Mass& mass, const ViewOfImage
   const double occupied = std::min(1.0, mass.occupied / meeting);
   // A thin thing fills a part of its cell; the rest of the columns pass beside it.
   const double beside = std::max(0.0, 1.0 - kHidesBeside * occupied);
-  const double free = beside * std::min(1.0, mass.free / meeting);
+  const double tells = floor_says_nothing(cell, distance_m, look, grid)
+                           ? 0.0
+                           : told_of_what_hangs(grid.hangs_from_m(cell), distance_m);
+  const double free = tells * beside * std::min(1.0, mass.free / meeting);
   const double boost = distance_m < settings_.near_m ? settings_.near_boost : 1.0;
   const float before = grid.log_odds(cell);
   if (mass.occupied == 0.0F && mass.free == 0.0F) {
@@ -213,21 +233,38 @@ void OccupancyUpdater::settle(GridCell cell, const Mass& mass, const ViewOfImage
     const bool startled = before < kSurelyFree && distance_m < kMotionSeen_m &&
                           to_seconds(look.stamp - grid.last_seen(cell)) < kStartled_s &&
                           !beside_something_still(cell, grid);
+    const bool only_seen_now = was_taken_for_floor(cell, mass, grid);
     const float moved = grid.moving(cell);
     // What has moved may move on: it calms quickly, but not wholly.
     const float calm = (moved > kSettled ? kCalming : kCalmingOn) * moved;
-    grid.set_moving(cell, startled ? 1.0F : calm);
-    // Something came where floor was seen: the old free evidence is void.
-    if (startled) grid.add(cell, -before, look.stamp);
+    grid.set_moving(cell, startled && !only_seen_now ? 1.0F : calm);
+    // Something is where floor was seen: the old free evidence is void.
+    if (startled || only_seen_now) grid.add(cell, -before, look.stamp);
   }
   grid.add(cell, static_cast<float>(change), look.stamp);
-  if (change > 0.0) grid.raise_to(cell, mass.height_m);
+  if (change <= 0.0) return;
+  grid.raise_to(cell, mass.height_m);
+  grid.hang_from(cell, mass.hangs_from_m);
+}
+
+/// The floor beneath what hangs is seen wherever the view is too low for the thing itself.
+bool OccupancyUpdater::floor_says_nothing(GridCell cell, double distance_m, const ViewOfImage& look,
+                                          const LocalGrid& grid) const {
+  const float hangs_from_m = grid.hangs_from_m(cell);
+  return hangs_from_m > 0.0F && hangs_from_m > camera_height_m_ + distance_m * look.top_slope;
+}
+
+/// What is low looks like floor from farther off: that it is seen now is no motion.
+bool OccupancyUpdater::was_taken_for_floor(GridCell cell, const Mass& mass, const LocalGrid& grid) {
+  return mass.height_m > 0.0F && mass.height_m < kLow_m && grid.log_odds(cell) < 0.0F &&
+         !beside_something_still(cell, grid);
 }
 
 void OccupancyUpdater::settle_past(GridCell cell, const Mass& mass, double share,
                                    const ViewOfImage& look, LocalGrid& grid) const {
   const float before = grid.log_odds(cell);
   if (before <= 0.0F || grid.height_m(cell) < mass.past_above_m + kSurelyHigher_m) return;
+  if (grid.hangs_from_m(cell) > 0.0F) return;  // the line of sight may have passed beneath it
   // Down to unknown at most: that nothing high is there does not make the floor free.
   const auto change = static_cast<float>(settings_.free_gain * share);
   grid.add(cell, -std::min(before, change), look.stamp);

@@ -58,17 +58,23 @@ class OccupancyUpdater {
     float past = 0.0F;          ///< columns that saw past, above the floor ...
     float past_above_m = 0.0F;  ///< ... all that is higher than this
     float height_m = 0.0F;
+    float hangs_from_m = 0.0F;  ///< 0: some column met something that stands, or none met anything
   };
   struct ViewOfImage {
     const Pose2& pose;
     TimePoint stamp;
     double column_rad;
+    double top_slope;  ///< Percept::top_slope
   };
   void measure_heights(const perception::Percept& percept);
   void gather_free(const perception::Column& column, const ViewOfImage& look);
   void gather_past(const perception::Column& column, const ViewOfImage& look);
   void gather_occupied(const perception::Column& column, double support, double height_m,
                        const ViewOfImage& look);
+  [[nodiscard]] bool floor_says_nothing(GridCell cell, double distance_m, const ViewOfImage& look,
+                                        const LocalGrid& grid) const;
+  [[nodiscard]] static bool was_taken_for_floor(GridCell cell, const Mass& mass,
+                                                const LocalGrid& grid);
   Mass& touch(GridCell cell);
   void settle(GridCell cell, const Mass& mass, const ViewOfImage& look, LocalGrid& grid) const;
   void settle_past(GridCell cell, const Mass& mass, double share, const ViewOfImage& look,

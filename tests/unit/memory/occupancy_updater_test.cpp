@@ -169,5 +169,66 @@ TEST_F(Evidence, WhatStoodThereFromTheFirstLookIsStill) {
   EXPECT_EQ(grid.moving(LocalGrid::cell_of({2.5, 0.0})), 0.0F);
 }
 
+TEST_F(Evidence, WhatIsLowWasTakenForFloorFromFartherOffAndHasNotMoved) {
+  perception::Percept empty = looks::blank_percept(0);
+  looks::see_floor(empty, 1.0, 4.5);
+  for (int i = 0; i < 6; ++i) look(empty);
+  for (int i = 0; i < 3; ++i) {
+    perception::Percept parcel = looks::blank_percept(700 + 100 * i);
+    looks::see_floor(parcel, 1.0, 4.5);
+    looks::see_thing(parcel, 0.0, 0.1, 2.5);
+    parcel.obstacles.push_back({0.0, 2.5, 0.4, 0.12, 0.9, 60, 100});
+    look(parcel);
+  }
+  EXPECT_EQ(at(2.5, 0.0), CellState::occupied);
+  EXPECT_EQ(grid.moving(LocalGrid::cell_of({2.5, 0.0})), 0.0F);
+}
+
+TEST_F(Evidence, TheFloorBeneathWhatHangsSaysNothingWhereTheViewDoesNotReachUpToIt) {
+  for (int i = 0; i < 10; ++i) {
+    perception::Percept percept = looks::blank_percept(100 * i);
+    looks::see_thing(percept, 0.0, 0.2, 2.2);
+    for (perception::Column& column : percept.columns) {
+      if (column.obstacle_m < 3.0) column.hangs_from_m = 1.02;
+    }
+    look(percept);
+  }
+  const auto look_at_floor = [&](int first, double top_slope) {
+    for (int i = first; i < first + 20; ++i) {
+      perception::Percept percept = looks::blank_percept(100 * i);
+      percept.top_slope = top_slope;
+      looks::see_floor(percept, 1.0, 4.5);
+      look(percept);
+    }
+  };
+  ASSERT_EQ(at(2.2, 0.0), CellState::occupied);
+  look_at_floor(10, -0.14);  // 0.89 m is the highest in view 2.2 m away
+  EXPECT_EQ(at(2.2, 0.0), CellState::occupied);
+  look_at_floor(30, 0.06);
+  EXPECT_EQ(at(2.2, 0.0), CellState::free);
+}
+
+TEST_F(Evidence, TheFloorBeneathWhatHangsSaysLittleNearByWhereItsEndsAreOutOfView) {
+  for (int i = 0; i < 10; ++i) {
+    perception::Percept percept = looks::blank_percept(100 * i);
+    looks::see_thing(percept, 0.0, 0.2, 1.5);
+    for (perception::Column& column : percept.columns) {
+      if (column.obstacle_m < 3.0) column.hangs_from_m = 1.02;
+    }
+    look(percept);
+  }
+  const auto look_at_floor = [&](int first, int last) {
+    for (int i = first; i < last; ++i) {
+      perception::Percept percept = looks::blank_percept(100 * i);
+      looks::see_floor(percept, 1.0, 4.5);
+      look(percept);
+    }
+  };
+  look_at_floor(10, 30);
+  EXPECT_EQ(at(1.5, 0.0), CellState::occupied);
+  look_at_floor(30, 130);
+  EXPECT_EQ(at(1.5, 0.0), CellState::free);
+}
+
 }  // namespace
 }  // namespace striate::memory
