@@ -1,9 +1,13 @@
 #include "striate/perception/perception.hpp"
 
+#include <cmath>
+#include <limits>
 #include <opencv2/imgproc.hpp>
 #include <stdexcept>
 #include <utility>
 
+#include "striate/perception/hanging_edges/hanging_edges.hpp"
+#include "striate/perception/low_things/low_things.hpp"
 #include "striate/perception/noise_estimate.hpp"
 #include "striate/perception/obstacles/wall_completion.hpp"
 #include "striate/perception/stereo/shrink_by_four.hpp"
@@ -33,6 +37,14 @@ void describe_camera(const StereoFrame& frame, int width, DisparityMap& map) {
   map.baseline_m = frame.right.empty() ? 0.0 : frame.baseline_m;
 }
 
+double slope_of_top(const DisparityMap& map, const HeadPose& head) {
+  if (map.focal_px <= 0.0) return std::numeric_limits<double>::infinity();
+  const double down = -map.centre_v_px / map.focal_px;
+  const double forward = std::cos(head.tilt_rad) + down * std::sin(head.tilt_rad);
+  const double up = std::sin(head.tilt_rad) - down * std::cos(head.tilt_rad);
+  return forward > 0.0 ? up / forward : std::numeric_limits<double>::infinity();
+}
+
 }  // namespace
 
 Perception::Perception(const PerceptionSettings& settings, const RobotDescription& robot,
@@ -40,6 +52,7 @@ Perception::Perception(const PerceptionSettings& settings, const RobotDescriptio
     : settings_(settings),
       robot_(robot),
       matcher_(settings.stereo),
+      low_things_(std::make_unique<LowThingFinder>(settings.low_things, settings.stereo, robot)),
       keypoint_finder_(settings.keypoints),
       saliency_finder_(settings.saliency),
       motion_finder_(settings.motion, robot),
@@ -69,8 +82,30 @@ void Perception::measure_depth(const StereoFrame& frame, const Greys& greys, Per
   const auto find =
       settings_.stereo.mode == StereoMode::paper ? find_obstacles_as_in_paper : find_obstacles;
   ObstacleView view = find(percept.disparity, frame.head, robot_, settings_.obstacles);
+  if (settings_.stereo.mode == StereoMode::robust && other_disparities_ == nullptr) {
+    see_what_is_hard_to_see(frame, greys, percept.disparity, view);
+  }
   percept.columns = std::move(view.columns);
   percept.obstacles = std::move(view.obstacles);
+}
+
+Perception::~Perception() = default;
+
+/// Low things, and level edges that hang over the floor, at twice the working size.
+void Perception::see_what_is_hard_to_see(const StereoFrame& frame, const Greys& greys,
+                                         const DisparityMap& disparity, ObstacleView& view) {
+  const DisparityMap fine = low_things_->measure(frame, greys.whole, disparity);
+  if (!fine.disparity_px.empty()) add_low_things(low_things_->judge(fine, frame.head), view);
+  constexpr int kFinerEdges = 2;  // times the working size, as low things
+  const int width = kFinerEdges * settings_.stereo.width;
+  if (!settings_.hanging_edges.on || frame.left.cols < width) return;
+  DisparityMap camera;
+  describe_camera(frame, width, camera);
+  const std::vector<HangingEdge> edges =
+      find_hanging_edges(to_working_size(greys.whole, width), to_working_size(frame.right, width),
+                         ViewGeometry(camera, frame.head, robot_), settings_.hanging_edges);
+  add_hanging_edges(edges, disparity, ViewGeometry(disparity, frame.head, robot_), kFinerEdges,
+                    view);
 }
 
 Percept Perception::see(const StereoFrame& frame, const std::optional<Pose2>& base,
@@ -85,6 +120,7 @@ Percept Perception::see(const StereoFrame& frame, const std::optional<Pose2>& ba
   percept.noise_level = estimate_noise(grey);
 
   describe_camera(frame, left.cols, percept.disparity);
+  percept.top_slope = slope_of_top(percept.disparity, frame.head);
   measure_depth(frame, {grey, left}, percept);
   percept.corridor = view_corridor(left, percept.disparity, frame.head, robot_, settings_.corridor);
   if (settings_.stereo.mode == StereoMode::robust) {

@@ -1,11 +1,14 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 
 #include "striate/config/settings.hpp"
 #include "striate/perception/corridor/corridor_view.hpp"
+#include "striate/perception/hanging_edges/hanging_edge_settings.hpp"
 #include "striate/perception/keypoints/keypoints.hpp"
+#include "striate/perception/low_things/low_thing_settings.hpp"
 #include "striate/perception/motion/motion.hpp"
 #include "striate/perception/obstacles/obstacles.hpp"
 #include "striate/perception/percept.hpp"
@@ -23,6 +26,8 @@ struct PerceptionSettings {
   /// everything but keypoints.
   StereoSettings stereo;
   ObstacleSettings obstacles;
+  LowThingSettings low_things;
+  HangingEdgeSettings hanging_edges;
   MotionSettings motion;
   CorridorSettings corridor;
   /// The paper's in the cycle: a third of the robust one's time, and nothing drives by it.
@@ -39,6 +44,8 @@ template <class V>
 void visit(V& v, PerceptionSettings& s) {
   v.section("stereo", s.stereo);
   v.section("obstacles", s.obstacles);
+  v.section("low_things", s.low_things);
+  v.section("hanging_edges", s.hanging_edges);
   v.section("motion", s.motion);
   v.section("corridor", s.corridor);
   v.section("saliency", s.saliency);
@@ -48,6 +55,8 @@ void visit(V& v, PerceptionSettings& s) {
   v.integer("keypoints_every", s.keypoints_every, {0, 100},
             "keypoints in every n-th image; 0: never");
 }
+
+class LowThingFinder;
 
 /// What perception may be built with beside its settings; all of it may be left out.
 struct PerceptionExtras {
@@ -71,6 +80,7 @@ class Perception {
   /// (Recogniser::add).
   Perception(const PerceptionSettings& settings, const RobotDescription& robot,
              const PerceptionExtras& extras = {});
+  ~Perception();
 
   /// No image: a percept that is not valid. One eye (`right` empty): what one image can give,
   /// the corridor's heading, saliency and keypoints. Unknown camera (`focal_px` <= 0):
@@ -89,11 +99,14 @@ class Perception {
     const cv::Mat1b& small;
   };
   void match(const StereoFrame& frame, const Greys& greys, DisparityMap& disparity);
+  void see_what_is_hard_to_see(const StereoFrame& frame, const Greys& greys,
+                               const DisparityMap& disparity, ObstacleView& view);
   void measure_depth(const StereoFrame& frame, const Greys& greys, Percept& percept);
 
   PerceptionSettings settings_;
   RobotDescription robot_;
   StereoMatcher matcher_;
+  std::unique_ptr<LowThingFinder> low_things_;
   KeypointFinder keypoint_finder_;
   SaliencyFinder saliency_finder_;
   MotionFinder motion_finder_;

@@ -83,6 +83,7 @@ Standing measure(const JudgedMap& judged, int from, int to, int peak) {
   const double middle = (peak + 0.5) * kBin_px;
   double weight = 0.0;
   found.top_row = judged.kind.rows;
+  found.bottom_row = -1;
   for (int u = from; u <= to; ++u) {
     for (int v = 0; v < judged.kind.rows; ++v) {
       if (static_cast<PixelKind>(judged.kind(v, u)) != PixelKind::standing) continue;
@@ -93,6 +94,7 @@ Standing measure(const JudgedMap& judged, int from, int to, int peak) {
       found.level_px += w * level;
       found.row_px += w * v;
       found.top_row = std::min(found.top_row, v);
+      found.bottom_row = std::max(found.bottom_row, v);
     }
   }
   if (weight > 0.0) {
@@ -189,9 +191,12 @@ void bridge_unknown_columns(std::vector<Standing>& standing, const JudgedMap& ju
                      judged.level(v, u) < level - kBehind_px;
         }
         if (farther > settings.smallest_px) continue;
-        standing[u] = {level, a.row_px + t * (b.row_px - a.row_px),
+        standing[u] = {level,
+                       a.row_px + t * (b.row_px - a.row_px),
                        kBridgeSupport * std::min(a.support, b.support),
-                       std::min(a.top_row, b.top_row), true};
+                       std::min(a.top_row, b.top_row),
+                       std::max(a.bottom_row, b.bottom_row),
+                       true};
       }
     }
     left = right;

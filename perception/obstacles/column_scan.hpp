@@ -30,6 +30,7 @@ struct Standing {
   double row_px = 0.0;    ///< mean row of the pixels that show it
   double support = 0.0;   ///< weight found over weight needed; >= 1 where found
   int top_row = 0;        ///< highest row that shows it
+  int bottom_row = 0;     ///< lowest row that shows it
   bool bridged = false;   ///< not seen itself: lies in the plane of what is seen on both sides
 };
 

@@ -12,6 +12,7 @@ struct ColumnHit {
   double level_px = 0.0;  ///< level disparity
   Point2 at;              ///< robot frame
   double height_m = 0.0;  ///< of its highest part seen
+  double lowest_m = 0.0;  ///< of its lowest part seen
   double confidence = 0.0;
 };
 

@@ -19,6 +19,11 @@ constexpr double kBearingDistance_m = 4.0;
 /// Free floor ends before the obstacle: one px of disparity at 1.1 m (Z^2 / f B)
 constexpr double kClearance_m = 0.05;
 
+/// What hangs: nothing is seen of it below this height, which is more than a pixel's at 5 m, ...
+constexpr double kHangs_m = 0.35;
+/// ... and the floor beneath is seen on to so far behind its front: more than a range errs at 2 m
+constexpr double kSeenBeneath_m = 0.20;
+
 /// Level disparity, px: right matches of one surface err by less ("right within 1 px")
 constexpr double kSameSurface_px = 1.0;
 /// Trust in a column none of whose own pixels show the surface: neither for nor against
@@ -53,6 +58,8 @@ ColumnHit hit_of(const Standing& standing, const JudgedMap& judged, const ViewGe
   hit.level_px = standing.level_px;
   hit.at = {p.x_m, p.y_m};
   hit.height_m = std::max(0.0, geometry.height_m(standing.top_row, top_d));
+  const double bottom_d = standing.level_px / geometry.level_factor(standing.bottom_row);
+  hit.lowest_m = std::max(0.0, geometry.height_m(standing.bottom_row, bottom_d));
   hit.confidence = believe(judged, standing, u);
   return hit;
 }
@@ -78,6 +85,8 @@ Column column_of(const ColumnHit& hit, const FreeFloor& free, const ViewGeometry
     at = hit.at;
     column.obstacle_m = std::hypot(at.x_m, at.y_m);
     column.obstacle_confidence = hit.confidence;
+    const bool floor_beyond = column.free_to_m > column.obstacle_m + kSeenBeneath_m;
+    if (floor_beyond && hit.lowest_m > kHangs_m) column.hangs_from_m = hit.lowest_m;
     column.free_to_m = std::min(column.free_to_m, column.obstacle_m - kClearance_m);
   }
   if (column.free_to_m <= column.free_from_m) {

@@ -11,8 +11,8 @@ namespace striate::evaluation {
 /// Distance of the nearest visible thing that stands in each column; +inf for none.
 inline std::vector<double> true_columns(const cv::Mat1f& depth,
                                         const perception::DisparityMap& camera,
-                                        const HeadPose& head, const RobotDescription& robot) {
-  constexpr double kLowest_m = 0.06;
+                                        const HeadPose& head, const RobotDescription& robot,
+                                        double lowest_m = 0.06) {
   constexpr double kHighest_m = 1.4;
   constexpr int kFewestPixels = 3;  // of a true thing, else it is an edge
   const perception::ViewGeometry geometry(camera, head, robot);
@@ -23,7 +23,7 @@ inline std::vector<double> true_columns(const cv::Mat1f& depth,
       if (!std::isfinite(depth(v, u))) continue;
       const perception::SpacePoint p =
           geometry.point(u, v, geometry.focal_baseline() / depth(v, u));
-      if (p.z_m < kLowest_m || p.z_m > kHighest_m) continue;
+      if (p.z_m < lowest_m || p.z_m > kHighest_m) continue;
       ranges.push_back(std::hypot(p.x_m, p.y_m));
     }
     if (ranges.size() < kFewestPixels) continue;
