@@ -83,6 +83,8 @@ class PathFollower {
   [[nodiscard]] double least_margin_m() const;
   [[nodiscard]] double since_entered_s(const memory::ShortTermMemory& memory) const;
   void aim_head(const memory::ShortTermMemory& memory, const SpeedLimit& speed_limit, Wish& wish);
+  [[nodiscard]] bool glances_down(const memory::ShortTermMemory& memory,
+                                  const SpeedLimit& speed_limit, double speed_m_s);
 
   DrivingSettings settings_;
   RobotDescription robot_;
@@ -105,6 +107,8 @@ class PathFollower {
   Pose2 last_pose_;
   TimePoint impossible_since_{};
   TimePoint look_down_until_{};
+  TimePoint glance_until_{};
+  Pose2 glanced_at_;
   TimePoint mover_since_{};
   TimePoint free_to_move_at_{};  ///< last moved, or did not wish to
 };
