@@ -1,6 +1,7 @@
 // How low a thing may be that is still seen, and how often something low is seen that is not there.
 //
-//     low_things_table [--off] [--set KEY=VALUE ...]
+//     low_things_table [--off] [--boxes] [--phantoms] [--margin=PX] [--standing=PX] [--lowest=M]
+//                      [--smallest=M] [--area=PX]
 //
 // Boxes of several heights stand ahead on the floor of a simulated corridor, in several colours and
 // lights; a box is seen when half of the columns that it fills say so, within 0.15 m. Phantoms are
