@@ -1,0 +1,71 @@
+#pragma once
+
+#include <memory>
+
+#include "striate/perception/visual_odometry/features.hpp"
+#include "striate/perception/visual_odometry/odometry_settings.hpp"
+#include "striate/perception/visual_odometry/rigid_motion.hpp"
+#include "striate/perception/visual_odometry/stereo_eyes.hpp"
+
+namespace striate::perception {
+
+/// Why there is no estimate.
+enum class NoEstimate {
+  none,                ///< there is one
+  beginning,           ///< the first view that both eyes see enough of: the world begins here
+  too_little_texture,  ///< dark, blank or out of focus: too few places with contrast
+  eyes_disagree,       ///< contrast enough, but the eyes do not see the same
+  too_few_matches,     ///< too little of what was seen before is seen again
+  no_agreement,        ///< what is seen again does not agree on a motion
+  motion_too_large,    ///< they agree on a motion that no camera makes between two images
+  too_uncertain,       ///< what is seen does not fix the motion
+};
+/// In words, for a person.
+[[nodiscard]] const char* text_of(NoEstimate reason);
+/// As one word, for programs: "too_few_matches".
+[[nodiscard]] const char* word_of(NoEstimate reason);
+
+/// Where the camera is. The world is the left camera where it began: x right, y down, z forward.
+struct VisualPose {
+  NoEstimate reason = NoEstimate::beginning;
+  RigidMotion world_from_camera;  ///< where there is no estimate: the last one
+  /// The way since the estimate before is not known: from here on it goes on from there.
+  bool begun_anew = false;
+  bool keyframe = false;  ///< later views are compared with this one
+
+  /// What was measured: the motion from the keyframe, and its covariance: of the step from the true
+  /// motion to this one (nudged()), way in m and turn in rad, in the axes of the camera now.
+  RigidMotion camera_from_keyframe;
+  cv::Matx66d covariance = cv::Matx66d::zeros();
+
+  int features = 0;       ///< of the left eye
+  int points = 0;         ///< seen by both
+  int matches = 0;        ///< of them, seen again
+  int agreeing = 0;       ///< of them, that agree on the motion
+  double noise_px = 0.0;  ///< measured, of a fine keypoint's place
+
+  [[nodiscard]] bool known() const { return reason == NoEstimate::none; }
+};
+
+/// Stereo visual odometry: the motion of a pair of eyes from what they see, one view after the
+/// other. Estimates are made against the last keyframe, so that a camera that stands does not
+/// drift. The same views give the same poses, bit for bit; there is no clock and no random number.
+class VisualOdometry {
+ public:
+  /// With V1 keypoints and Striate's descriptor, or with features of any other kind.
+  explicit VisualOdometry(const VisualOdometrySettings& settings);
+  VisualOdometry(const VisualOdometrySettings& settings, FeatureSource source);
+  ~VisualOdometry();
+  VisualOdometry(VisualOdometry&&) noexcept;
+  VisualOdometry& operator=(VisualOdometry&&) noexcept;
+
+  /// The next view. One of another camera or size than the last begins anew.
+  /// @throws std::invalid_argument for what check_view() refuses; nothing is changed then
+  const VisualPose& see(const StereoView& view);
+
+ private:
+  class Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace striate::perception
