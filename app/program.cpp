@@ -88,6 +88,7 @@ int run(int argc, char** argv) {
   add_trial_command(app, exit_code);
   add_perceive_command(app, exit_code);
   add_recognise_command(app, exit_code);
+  add_odometry_command(app, exit_code);
   add_sim_command(app, exit_code);
   add_world_command(app, exit_code);
   add_task_command(app, exit_code);

@@ -13,6 +13,7 @@ void add_recall_command(CLI::App& app, int& exit_code);
 void add_trial_command(CLI::App& app, int& exit_code);
 void add_perceive_command(CLI::App& app, int& exit_code);
 void add_recognise_command(CLI::App& app, int& exit_code);
+void add_odometry_command(CLI::App& app, int& exit_code);
 void add_sim_command(CLI::App& app, int& exit_code);
 void add_world_command(CLI::App& app, int& exit_code);
 void add_task_command(CLI::App& app, int& exit_code);

@@ -5,14 +5,17 @@
 #include <filesystem>
 #include <memory>
 
+#include "striate/app/commands/odometry_options.hpp"
+#include "striate/app/interrupt.hpp"
 #include "striate/app/odometry_picture.hpp"
 #include "striate/app/perceive_files.hpp"
 #include "striate/app/recorded_odometry.hpp"
+#include "striate/app/sequence_odometry.hpp"
 #include "striate/base/files.hpp"
+#include "striate/base/plain_text.hpp"
 #include "striate/base/say.hpp"
 #include "striate/base/user_error.hpp"
 #include "striate/evaluation/odometry/eval_odometry.hpp"
-#include "striate/platform/datasets/calibration/read_sensor_place.hpp"
 
 namespace striate::app {
 namespace {
@@ -24,6 +27,8 @@ struct EvalOdometryCommand {
   std::string sensor;  ///< EuRoC's sensor.yaml: where on the body the estimate's camera is
   std::string out = "out/eval_odometry";
   bool json = false;
+  SequenceArguments sequence;
+  SequenceOdometryOptions visual;
   evaluation::OdometryOptions options;
 };
 
@@ -34,17 +39,23 @@ void tell_trajectory(const char* which, const std::string& file,
   for (const std::string& remark : trajectory.remarks) say(stderr, "  note: " + remark + "\n");
 }
 
-/// The truth of the body becomes that of a camera on it.
-void move_to_sensor(const cv::Matx44d& body_from_sensor, datasets::Trajectory& truth) {
-  const cv::Matx33d turn = body_from_sensor.get_minor<3, 3>(0, 0);
-  const cv::Vec3d way(body_from_sensor(0, 3), body_from_sensor(1, 3), body_from_sensor(2, 3));
-  for (datasets::TimedPose& pose : truth.poses) {
-    pose.position_m += pose.rotation * way;
-    pose.rotation = pose.rotation * turn;
-  }
+int run_eval_sequence(const EvalOdometryCommand& given) {
+  SequenceOdometryOptions options = given.visual;
+  options.source = given.estimate;
+  options.sequence = given.sequence.read();
+  options.out = given.out;
+  options.json = given.json;
+  const Interrupt interrupt(Interrupt::BrokenOutput::ends);
+  options.stopped = [] { return Interrupt::requested(); };
+  return compare_odometry(options, {given.truth, given.sensor, given.options});
 }
 
 int run_eval_odometry(const EvalOdometryCommand& given) {
+  if (is_sequence(given.estimate)) return run_eval_sequence(given);
+  if (given.truth.empty()) {
+    throw UserError(fmt::format("{}: is a trajectory, which needs a truth: --truth FILE",
+                                plain_text(given.estimate)));
+  }
   make_folder(given.out, "--out");
   std::string times = given.times;
   // KITTI's poses find the times of their sequence by themselves where they lie as KITTI's do.
@@ -59,7 +70,7 @@ int run_eval_odometry(const EvalOdometryCommand& given) {
   }
   tell_trajectory("truth", given.truth, truth);
   tell_trajectory("estimate", given.estimate, estimate);
-  if (!given.sensor.empty()) move_to_sensor(datasets::read_sensor_place(given.sensor), truth);
+  if (!given.sensor.empty()) move_to_sensor(given.sensor, truth);
   const evaluation::OdometryScores scores =
       evaluation::score_odometry(truth, estimate, given.options);
   for (const std::string& remark : scores.poses.remarks) say(stderr, "  note: " + remark + "\n");
@@ -81,16 +92,22 @@ void add_eval_odometry(CLI::App& eval, int& exit_code) {
       "2012),\n"
       "RPE over a fixed time, and KITTI's percent and degrees per metre over stretches of 100 to\n"
       "800 m. Trajectories are files of TUM, KITTI or EuRoC; the estimate may be a recording, of\n"
-      "which the wheels' odometry counts. Writes tables, plots (PNG, SVG) and TUM trajectories.\n"
-      "Example: striate eval odometry my.tum --truth MH_01_easy --out out/mh01");
-  command->add_option("estimate", given.estimate, "the trajectory that is judged, or a recording")
+      "which the wheels' odometry counts. Of a sequence (a folder or a video) visual odometry "
+      "makes\n"
+      "the estimate: with Striate's keypoints and descriptors, and with ORB's and SIFT's in their\n"
+      "place. Writes tables, plots (PNG, SVG) and TUM trajectories.\n"
+      "Examples: striate eval odometry my.tum --truth MH_01_easy --out out/mh01\n"
+      "          striate eval odometry kitti/sequences/00");
+  command
+      ->add_option("estimate", given.estimate,
+                   "the trajectory that is judged, a recording, or a sequence of pictures")
       ->type_name("FILE")
       ->required();
   command
       ->add_option("--truth", given.truth,
-                   "a trajectory, or the folder of a set that holds its ground truth")
-      ->type_name("FILE")
-      ->required();
+                   "a trajectory, or the folder of a set that holds its ground truth; of a "
+                   "sequence its own, where it has one")
+      ->type_name("FILE");
   command->add_option("--times", given.times, "times of an estimate in KITTI's format (times.txt)");
   command->add_option("--sensor", given.sensor,
                       "EuRoC's sensor.yaml of the camera that the estimate is of, where the truth "
@@ -122,6 +139,8 @@ void add_eval_odometry(CLI::App& eval, int& exit_code) {
       ->type_name("FOLDER")
       ->capture_default_str();
   command->add_flag("--json", given.json, "print JSON instead of text");
+  add_sequence_options(*command, given.sequence);
+  add_odometry_options(*command, given.visual);
   command->callback([options, &exit_code] { exit_code = run_eval_odometry(*options); });
 }
 

@@ -30,6 +30,7 @@ const std::vector<Words> kWriteAFile = {
     {"task", "show", "config/tasks/corridor.yaml", "--xml"},
     {"learn-descriptor", "--out"},
     {"calibrate", "data", "--out"},
+    {"odometry", "data", "--out"},
     {"teach", "book", "--image", "data/pictures/plan.png", "--memory"},
     {"recall", "no.rec", "--picture"},
     {"export", "no.rec", "--mcap"},
@@ -54,6 +55,7 @@ const std::vector<Words> kWriteIntoAFolder = {
     {"eval", "keypoints", "data", "--out"},
     {"eval", "saliency", "data", "--out"},
     {"eval", "objects", "data", "--out"},
+    {"eval", "odometry", "data", "--out"},
 };
 
 TEST(Outputs, AFileThatCannotBeWrittenIsSaidBeforeAnyWork) {

@@ -103,6 +103,7 @@ void PictureRectifier::take_as_rectified(const StereoModel& model) {
 void PictureRectifier::follow_file(const StereoModel& model) {
   const RectifiedEye& left = *model.left.rectified;
   make_maps(model.left, left.turn, left.projection, eyes_[0]);
+  left_turn_ = left.turn;
   focal_px_ = left.projection(0, 0);
   centre_u_px_ = left.projection(0, 2);
   centre_v_px_ = left.projection(1, 2);
@@ -132,6 +133,7 @@ void PictureRectifier::make_own(const StereoModel& model) {
   centre_v_px_ = pinhole(1, 2);
   cv::Matx34d projection{};
   for (int k = 0; k < 9; ++k) projection(k / 3, k % 3) = pinhole(k / 3, k % 3);
+  left_turn_ = eyes.front().turn;
   for (std::size_t k = 0; k < eyes.size(); ++k) {
     make_maps(*eyes[k].eye, eyes[k].turn, projection, eyes_[k]);
   }

@@ -28,6 +28,8 @@ class PictureRectifier {
 
   /// How far right of the left one's the right principal point lies in what comes out, px.
   [[nodiscard]] double doffs_px() const { return doffs_px_; }
+  /// How the left eye was turned: from the raw camera's axes to those of what comes out.
+  [[nodiscard]] const cv::Matx33d& left_turn() const { return left_turn_; }
   [[nodiscard]] double focal_px() const { return focal_px_; }
   [[nodiscard]] double baseline_m() const { return baseline_m_; }
   [[nodiscard]] bool changes_pictures() const { return !eyes_[0].map_1.empty(); }
@@ -51,6 +53,7 @@ class PictureRectifier {
   double centre_v_px_ = 0.0;
   double baseline_m_ = 0.0;
   double doffs_px_ = 0.0;
+  cv::Matx33d left_turn_ = cv::Matx33d::eye();
   std::vector<std::string> remarks_;
 };
 

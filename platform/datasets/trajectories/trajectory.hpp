@@ -38,6 +38,8 @@ struct Trajectory {
 /// The ground truth of a data set's folder: EuRoC's, KITTI's (poses/NN.txt for sequences/NN), TUM's
 /// groundtruth.txt; or a file of them. @throws UserError where there is none
 [[nodiscard]] Trajectory find_ground_truth(const std::filesystem::path& path);
+/// The file that it would read; empty: there is none.
+[[nodiscard]] std::filesystem::path ground_truth_file(const std::filesystem::path& path);
 
 /// TUM's format, nine digits behind the point of the times.
 [[nodiscard]] std::string tum_text(const std::vector<TimedPose>& poses);

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "striate/evaluation/odometry/eval_odometry.hpp"
+#include "striate/evaluation/odometry/rival_features.hpp"
+#include "striate/evaluation/odometry/sequence_views.hpp"
+#include "striate/perception/visual_odometry/visual_odometry.hpp"
+
+namespace striate::evaluation {
+
+/// What one method made of a sequence.
+struct MethodRun {
+  std::string name;
+  datasets::Trajectory estimate;  ///< of the views with an estimate, and the beginning
+  std::size_t views = 0;
+  std::size_t without = 0;                 ///< views without an estimate
+  std::size_t begun_anew = 0;              ///< times that the way is not known
+  std::map<std::string, std::size_t> why;  ///< there was none
+  double noise_px = 0.0;                   ///< mean of what was measured
+  double ms = 0.0;                         ///< a view, mean time of the processor
+  std::optional<OdometryScores> scores;    ///< where there is a truth
+};
+
+/// Every method sees each view in turn, so that all are measured in one run.
+/// @param stopped asked before each view; empty: never
+[[nodiscard]] std::vector<MethodRun> run_methods(SequenceViews& views,
+                                                 const std::vector<OdometryMethod>& methods,
+                                                 const perception::VisualOdometrySettings& settings,
+                                                 const std::function<bool()>& stopped);
+
+/// Scores each run against the truth; a run of which too few poses belong to it stays without.
+void score_runs(const datasets::Trajectory& truth, const OdometryOptions& options,
+                std::vector<MethodRun>& runs);
+
+/// How far from the true end the estimate ends, where both begin as one, m; the first and last pose
+/// that both know.
+[[nodiscard]] double end_error_m(const OdometryScores& scores);
+
+[[nodiscard]] std::string runs_text(const std::vector<MethodRun>& runs,
+                                    const OdometryOptions& options);
+[[nodiscard]] std::string runs_json(const std::vector<MethodRun>& runs,
+                                    const OdometryOptions& options);
+/// Into `out`: methods.csv, NAME.tum of each, with a truth errors.svg of all, and in NAME/ what
+/// write_scores() writes.
+void write_runs(const std::vector<MethodRun>& runs, const OdometryOptions& options,
+                const std::string& out);
+
+}  // namespace striate::evaluation
