@@ -39,10 +39,17 @@ double share_that_sees(const Room& room, const HeadPose& head,
   return static_cast<double>(seen) / columns;
 }
 
-TEST(LowThings, AreSeenTwoMetresAheadFromAHeightOfEightCentimetres) {
+TEST(LowThings, OfEightCentimetresAreSeenInAGlance) {
   for (const double height_m : {0.08, 0.10, 0.12, 0.15}) {
-    EXPECT_GT(share_that_sees(floor_with(2.2, height_m), kRestingDown), 0.7) << height_m;
+    EXPECT_GT(share_that_sees(floor_with(1.8, height_m), kGlancingDown), 0.7) << height_m;
   }
+}
+
+TEST(LowThings, AreNotLookedForWhereTheViewBeginsFarAway) {
+  LowThingSettings off;
+  off.on = false;
+  const Room room = floor_with(2.2, 0.08);
+  EXPECT_EQ(share_that_sees(room, kRestingDown), share_that_sees(room, kRestingDown, off));
 }
 
 TEST(LowThings, AreSeenFromSixCentimetresOnWhenTheHeadGlancesDown) {
@@ -52,7 +59,7 @@ TEST(LowThings, AreSeenFromSixCentimetresOnWhenTheHeadGlancesDown) {
 TEST(LowThings, AreNotSeenAtTheWorkingSizeAlone) {
   LowThingSettings off;
   off.on = false;
-  EXPECT_LT(share_that_sees(floor_with(2.2, 0.08), kRestingDown, off), 0.3);
+  EXPECT_LT(share_that_sees(floor_with(2.0, 0.08), kGlancingDown, off), 0.3);
 }
 
 TEST(LowThings, AnEmptyFloorHasNone) {
@@ -78,7 +85,7 @@ TEST(LowThings, ThePaperSettingLooksForNone) {
   paper.stereo.mode = StereoMode::paper;
   PerceptionSettings without = paper;
   without.low_things.on = false;
-  const StereoFrame frame = synthetic::photograph(floor_with(2.2, 0.12), kRestingDown);
+  const StereoFrame frame = synthetic::photograph(floor_with(2.0, 0.12), kGlancingDown);
   const Percept a = Perception(paper, {}).see(frame);
   const Percept b = Perception(without, {}).see(frame);
   for (std::size_t u = 0; u < a.columns.size(); ++u) {
