@@ -4,7 +4,9 @@ import { readFile, writeFile } from "node:fs/promises";
 import http from "node:http";
 import { close, coloursOf, corridor, fits, open, run, screenshot, start, tell, text, until, work } from "./dashboard_tools.mjs";
 
-const live = (...more) => start([...corridor, "--view", "0", "--real-time", ...more]);
+// In a long corridor: on a busy machine a short mission is over before all is asked for.
+const long = corridor.map((word) => word.replace("short.yaml", "corridor_a.yaml"));
+const live = (...more) => start([...long, "--view", "0", "--real-time", ...more]);
 const moves = () => parseFloat(document.querySelector(".now .big").textContent) > 0.15;
 
 // Without what the clock on the wall says.
@@ -14,9 +16,8 @@ async function result(file) {
 }
 
 async function aMissionIsWatchedToItsEndAndIsTheSameBitForBit() {
-  const drive = ["--var", "way=6 m"];
-  await run([...corridor, ...drive, "--result", `${work}/alone.json`, "--record", `${work}/alone.rec`]);
-  const robot = await live(...drive, "--result", `${work}/seen.json`, "--record", `${work}/seen.rec`);
+  await run([...corridor, "--result", `${work}/alone.json`, "--record", `${work}/alone.rec`]);
+  const robot = await start([...corridor, "--view", "0", "--real-time", "--result", `${work}/seen.json`, "--record", `${work}/seen.rec`]);
   const page = await open(robot.url, { quiet: true });
   // One that never reads what it asks for is no hindrance.
   const deaf = await open(robot.url, { quiet: true });
@@ -28,12 +29,6 @@ async function aMissionIsWatchedToItsEndAndIsTheSameBitForBit() {
   await until(page, "it moves", moves);
   assert.match(await text(page, "#state"), /runs/);
   await until(page, "the tree runs", () => document.querySelector('.tree li[data-state="r"] li[data-state="r"]') !== null);
-  await until(page, "an image is drawn", () => document.querySelector(".camera .note").textContent.includes("salient regions"));
-  assert.ok((await coloursOf(page, ".camera canvas")) > 50, "the camera shows a picture");
-  await until(page, "the map is drawn", () => window.striate.store.get("/map/local") !== null);
-  assert.ok((await coloursOf(page, ".floor canvas")) > 4, "the map shows something");
-  for (const layer of ["disparity", "saliency", "keypoints"]) await page.locator(`[data-layer="${layer}"]`).check();
-  await until(page, "the layers come", () => window.striate.store.get("/stereo/disparity") && window.striate.store.get("/saliency"));
   assert.match(await text(page, ".tree"), /task corridor/);
   assert.ok((await page.locator(".log li time").count()) > 0, "decisions are told");
   await until(page, "it has ended well", () => document.querySelector("#state").textContent.includes("succeeded"));
@@ -43,6 +38,21 @@ async function aMissionIsWatchedToItsEndAndIsTheSameBitForBit() {
   assert.ok((await readFile(`${work}/seen.rec`)).equals(await readFile(`${work}/alone.rec`)), "the recordings are the same");
   await close(page);
   await deaf.context().close();
+}
+
+async function whatItSeesIsDrawnInLayers() {
+  const robot = await live();
+  const page = await open(robot.url, { quiet: true });
+  await until(page, "it moves", moves);
+  await until(page, "an image is drawn", () => document.querySelector(".camera .note").textContent.includes("salient regions"));
+  assert.ok((await coloursOf(page, ".camera canvas")) > 50, "the camera shows a picture");
+  await until(page, "the map is drawn", () => window.striate.store.get("/map/local") !== null);
+  assert.ok((await coloursOf(page, ".floor canvas")) > 4, "the map shows something");
+  for (const layer of ["disparity", "saliency", "keypoints"]) await page.locator(`[data-layer="${layer}"]`).check();
+  await until(page, "the layers come", () => window.striate.store.get("/stereo/disparity") && window.striate.store.get("/saliency"));
+  await page.locator("#stop").click();
+  assert.equal(await robot.ended, 130);
+  await close(page);
 }
 
 async function stopLetsTheWheelsStand() {
@@ -69,7 +79,7 @@ async function aProgramThatIsKilledIsToldAndComesBack() {
   await until(page, "the page says so", () => document.querySelector("#notice").textContent.includes("The program is gone"));
   assert.equal(await text(page, "#state"), "not connected");
   assert.ok(await page.locator("#stop").isDisabled());
-  const again = await start([...corridor, "--real-time", "--view", new URL(robot.url).port]);
+  const again = await start([...long, "--real-time", "--view", new URL(robot.url).port]);
   await until(page, "it is there again", () => document.querySelector("#notice").textContent.includes("there again"));
   await until(page, "it moves again", moves);
   again.child.kill("SIGINT");
@@ -193,5 +203,5 @@ async function itIsGoodToLookAt() {
   await robot.ended;
 }
 
-await tell([aMissionIsWatchedToItsEndAndIsTheSameBitForBit, stopLetsTheWheelsStand, aProgramThatIsKilledIsToldAndComesBack,
+await tell([aMissionIsWatchedToItsEndAndIsTheSameBitForBit, whatItSeesIsDrawnInLayers, stopLetsTheWheelsStand, aProgramThatIsKilledIsToldAndComesBack,
   keysDriveOnlyWhereTheyMay, hostileNamesAreText, foreignPagesAreKeptOut, beyondLoopbackATokenIsNeeded, itIsGoodToLookAt]);
