@@ -1,6 +1,8 @@
 #pragma once
 
-#include "striate/app/perceive_frame.hpp"
+#include "striate/app/judged_frame.hpp"
+#include "striate/app/perceive_options.hpp"
+#include "striate/platform/interface/senses.hpp"
 
 /// What is near, found without a floor: by disparity alone.
 namespace striate::app {

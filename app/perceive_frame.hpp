@@ -2,21 +2,12 @@
 
 #include <string>
 
-#include "striate/app/perceive_files.hpp"
+#include "striate/app/judged_frame.hpp"
 #include "striate/app/perceive_options.hpp"
-#include "striate/perception/percept.hpp"
-#include "striate/platform/interface/robot.hpp"
 #include "striate/platform/interface/senses.hpp"
 
 /// One pair of pictures as `striate perceive` sees it, wherever it comes from.
 namespace striate::app {
-
-/// What the vision made of it.
-struct JudgedFrame {
-  perception::Percept percept;
-  RobotDescription robot;
-  ObstacleReport report;
-};
 
 /// @throws UserError for options that cannot be, whatever the picture
 void check_perceive(const PerceiveOptions& options);

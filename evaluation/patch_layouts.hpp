@@ -1,18 +1,11 @@
 #pragma once
 
-#include <cstdint>
 #include <string>
 
-#include "striate/evaluation/frame_pairs.hpp"
+#include "striate/evaluation/patch_choice.hpp"
 #include "striate/evaluation/patch_set.hpp"
 
 namespace striate::evaluation {
-
-struct PatchChoice {
-  int pairs = 20000;  ///< true ones, and as many false ones; fewer where the data has fewer
-  std::uint64_t seed = 1;
-  FrameTolerance tolerance;
-};
 
 /// Reads patch pairs from a folder of any of these layouts:
 ///   Oxford:  [DIR/]SEQUENCE/img1.png ... img6.png with H1to2p ... (any image format)

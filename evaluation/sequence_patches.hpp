@@ -4,7 +4,8 @@
 #include <opencv2/core.hpp>
 #include <vector>
 
-#include "striate/evaluation/patch_layouts.hpp"
+#include "striate/evaluation/patch_choice.hpp"
+#include "striate/evaluation/patch_set.hpp"
 
 /// Patches cut from image sequences with homographies.
 namespace striate::evaluation {

@@ -128,18 +128,6 @@ CalibrationReport calibrate_together(const std::vector<BoardPair>& pairs, const 
 
 }  // namespace
 
-std::string worst_of(std::vector<PairError> pairs) {
-  constexpr std::size_t kNamed = 5;  // of a list that a person reads (by hand)
-  std::ranges::sort(pairs, std::greater<>(), &PairError::reprojection_px);
-  std::string text;
-  for (std::size_t i = 0; i < std::min(kNamed, pairs.size()); ++i) {
-    text += fmt::format("{}{} ({:.1f} px)", i == 0 ? "" : ", ", pairs[i].name,
-                        pairs[i].reprojection_px);
-  }
-  if (pairs.size() > kNamed) text += fmt::format(" and {} more", pairs.size() - kNamed);
-  return text;
-}
-
 CalibrationReport calibrate_stereo(const std::vector<BoardPair>& pairs, const Chessboard& board,
                                    cv::Size size_px) {
   check_enough(pairs);

@@ -2,7 +2,8 @@
 
 #include <vector>
 
-#include "striate/evaluation/calibration/calibrate_stereo.hpp"
+#include "striate/evaluation/calibration/calibration_report.hpp"
+#include "striate/evaluation/calibration/chessboard.hpp"
 
 /// What a calibration must show before it is believed.
 namespace striate::evaluation {

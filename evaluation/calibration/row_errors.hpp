@@ -3,7 +3,8 @@
 #include <opencv2/core.hpp>
 #include <vector>
 
-#include "striate/evaluation/calibration/calibrate_stereo.hpp"
+#include "striate/evaluation/calibration/calibration_report.hpp"
+#include "striate/evaluation/calibration/chessboard.hpp"
 
 /// How far from one row the two eyes see a corner, after rectification.
 namespace striate::evaluation {

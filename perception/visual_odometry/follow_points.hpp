@@ -4,8 +4,9 @@
 #include <vector>
 
 #include "striate/perception/visual_odometry/motion_estimate.hpp"
+#include "striate/perception/visual_odometry/no_estimate.hpp"
+#include "striate/perception/visual_odometry/odometry_settings.hpp"
 #include "striate/perception/visual_odometry/stereo_points.hpp"
-#include "striate/perception/visual_odometry/visual_odometry.hpp"
 
 namespace striate::perception {
 

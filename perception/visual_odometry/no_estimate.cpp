@@ -1,4 +1,4 @@
-#include "striate/perception/visual_odometry/visual_odometry.hpp"
+#include "striate/perception/visual_odometry/no_estimate.hpp"
 
 namespace striate::perception {
 

@@ -2,7 +2,8 @@
 
 #include <vector>
 
-#include "striate/platform/replay/recording_codec.hpp"
+#include "striate/base/bytes.hpp"
+#include "striate/platform/replay/recording.hpp"
 
 /// Parts of a recorded cycle as bytes: each is written by put() and read by its take.
 namespace striate::replay {

@@ -1,14 +1,11 @@
 #pragma once
 
-#include <map>
 #include <string>
 
+#include "striate/platform/ros/choose_eyes.hpp"
 #include "striate/platform/ros/ros_settings.hpp"
 
 namespace striate::ros {
-
-/// Topic and ROS type of everything that a bag holds.
-using BagTopics = std::map<std::string, std::string>;
 
 /// The settings with each topic that the bag does not have replaced by one that it has, of the
 /// right type. The two eyes are looked for together: two topics whose names differ in "left" and

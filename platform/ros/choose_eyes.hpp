@@ -1,11 +1,15 @@
 #pragma once
 
+#include <map>
 #include <string>
 
-#include "striate/platform/ros/bag_topics.hpp"
+#include "striate/platform/ros/ros_settings.hpp"
 
 /// Which topics of a bag are the two eyes.
 namespace striate::ros {
+
+/// Topic and ROS type of everything that a bag holds.
+using BagTopics = std::map<std::string, std::string>;
 
 /// Bags hold full names.
 [[nodiscard]] std::string full(const std::string& topic);

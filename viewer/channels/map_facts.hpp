@@ -1,6 +1,6 @@
 #pragma once
 
-#include "striate/viewer/channels/cycle_facts.hpp"
+#include "striate/viewer/channels/shown_facts.hpp"
 
 /// Maps and routes of memory as facts.
 namespace striate::viewer {
