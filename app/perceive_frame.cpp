@@ -45,11 +45,6 @@ double doffs_of(const PerceiveOptions& o, const StereoFrame& frame) {
   return o.doffs_px.value_or(0.0);
 }
 
-/// At width 160: 43 degrees of horizontal view, the paper's camera.
-constexpr double kPaperFocal_px = 203.0;
-/// px; the paper's working width, at which its focal length is told.
-constexpr double kPaperWidth_px = 160.0;
-
 /// The right end of the left image shows what the right eye, whose principal point lies farther
 /// right, has no columns for. The robust mode distrusts what it finds there; the paper's takes the
 /// likest place in the row, however near that puts it.

@@ -8,7 +8,6 @@
 #include "striate/app/perceive_sequence.hpp"
 #include "striate/base/files.hpp"
 #include "striate/base/geometry.hpp"
-#include "striate/base/say.hpp"
 #include "striate/evaluation/odometry/sequence_views.hpp"
 #include "striate/perception/visual_odometry/visual_odometry.hpp"
 #include "striate/platform/datasets/sequences/picture_list.hpp"

@@ -9,7 +9,6 @@
 #include <sstream>
 
 #include "striate/base/user_error.hpp"
-#include "striate/evaluation/images/set_files.hpp"
 #include "striate/evaluation/sequence_patches.hpp"
 #include "striate/platform/datasets/images/read_image.hpp"
 

@@ -12,7 +12,6 @@
 #include "striate/python/bindings.hpp"
 #include "striate/python/checked.hpp"
 #include "striate/python/descriptors.hpp"
-#include "striate/python/records.hpp"
 
 namespace striate::python {
 namespace {

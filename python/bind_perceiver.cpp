@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
-#include <utility>
 
 #include "striate/platform/datasets/images/read_image.hpp"
 #include "striate/python/arrays.hpp"

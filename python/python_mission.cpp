@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <thread>
-#include <utility>
 
 #include "striate/agent/landmark_knowledge.hpp"
 #include "striate/agent/mission.hpp"

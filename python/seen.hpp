@@ -1,9 +1,7 @@
 #pragma once
 
-#include <filesystem>
 #include <memory>
 #include <optional>
-#include <string>
 
 #include "striate/app/perceive_frame.hpp"
 #include "striate/perception/percept.hpp"

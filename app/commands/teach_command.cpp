@@ -3,13 +3,11 @@
 #include <memory>
 
 #include "striate/agent/simulated_body.hpp"
-#include "striate/agent/teaching/live_teaching.hpp"
 #include "striate/app/command_line/found_file.hpp"
 #include "striate/app/command_line/whole_number.hpp"
 #include "striate/app/commands/commands.hpp"
 #include "striate/app/commands/teach_run.hpp"
 #include "striate/app/plugin_option.hpp"
-#include "striate/app/pose_text.hpp"
 #include "striate/base/user_error.hpp"
 #include "striate/memory/long_term/memory_writer.hpp"
 #include "striate/memory/long_term/teaching.hpp"

@@ -11,7 +11,6 @@
 
 #include "striate/agent/robot_settings.hpp"
 #include "striate/app/command_line/found_file.hpp"
-#include "striate/app/command_line/whole_number.hpp"
 #include "striate/app/commands/commands.hpp"
 #include "striate/app/commands/foxglove_options.hpp"
 #include "striate/app/interrupt.hpp"

@@ -5,13 +5,11 @@
 #include "striate/agent/memory_json.hpp"
 #include "striate/agent/open_memory.hpp"
 #include "striate/app/memory/base64.hpp"
-#include "striate/app/memory/json_number.hpp"
 #include "striate/base/files.hpp"
 #include "striate/base/user_error.hpp"
 #include "striate/memory/long_term/memory_errors.hpp"
 #include "striate/memory/long_term/memory_file.hpp"
 #include "striate/memory/long_term/salvage.hpp"
-#include "striate/memory/long_term/teaching.hpp"
 #include "striate/memory/long_term/view_codec.hpp"
 
 namespace striate::app {

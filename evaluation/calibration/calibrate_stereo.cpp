@@ -1,10 +1,7 @@
 #include "striate/evaluation/calibration/calibrate_stereo.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <opencv2/calib3d.hpp>
 
 #include "striate/base/user_error.hpp"

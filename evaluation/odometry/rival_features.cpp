@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <opencv2/features2d.hpp>
 
 #include "striate/perception/visual_odometry/striate_features.hpp"

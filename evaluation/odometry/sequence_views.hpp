@@ -1,6 +1,5 @@
 #pragma once
 
-#include <memory>
 #include <opencv2/core/mat.hpp>
 #include <optional>
 #include <string>

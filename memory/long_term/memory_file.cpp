@@ -9,9 +9,7 @@
 
 #include "striate/base/shell_text.hpp"
 #include "striate/base/user_error.hpp"
-#include "striate/memory/long_term/damage.hpp"
 #include "striate/memory/long_term/memory_errors.hpp"
-#include "striate/memory/long_term/migration.hpp"
 
 namespace striate::memory {
 namespace {

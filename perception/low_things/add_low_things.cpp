@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 
 #include "striate/perception/low_things/low_things.hpp"
 #include "striate/perception/obstacles/floor_state.hpp"

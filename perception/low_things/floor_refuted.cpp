@@ -1,9 +1,7 @@
 #include "striate/perception/low_things/floor_refuted.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
-#include <vector>
 
 #include "striate/base/index_within.hpp"
 

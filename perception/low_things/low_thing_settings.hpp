@@ -15,7 +15,8 @@ struct LowThingSettings {
   double floor_margin_px = 0.6;
   /// Disparity above the floor line that surely stands; low_things_table
   double standing_px = 1.2;
-  double refuted = 1.5;       ///< so many times better than the floor must it explain a patch
+  /// How many times better than the floor a disparity must explain its patch; low_things_table
+  double refuted = 1.5;
   double smallest_m = 0.05;   ///< visible height that must agree
   double smallest_px = 14.0;  ///< and pixels; low_things_table
 };
@@ -33,7 +34,7 @@ void visit(V& v, LowThingSettings& s) {
   v.number("standing", s.standing_px, Unit::pixels, {0.1, 10.0},
            "disparity above the floor line that surely stands");
   v.number("refuted", s.refuted, Unit::none, {1.0, 100.0},
-           "so many times better than the floor a disparity must explain its patch");
+           "how many times better than the floor a disparity must explain its patch");
   v.number("smallest_height", s.smallest_m, Unit::length, {0.0, 1.0}, "visible height of a thing");
   v.number("smallest_area", s.smallest_px, Unit::pixels, {1.0, 1000.0}, "least pixels of a thing");
 }

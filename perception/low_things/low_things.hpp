@@ -1,7 +1,5 @@
 #pragma once
 
-#include <optional>
-
 #include "striate/perception/low_things/floor_band.hpp"
 #include "striate/perception/low_things/low_thing_settings.hpp"
 #include "striate/perception/obstacles/obstacles.hpp"

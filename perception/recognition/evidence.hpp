@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "striate/perception/recognition/consensus.hpp"
-#include "striate/perception/recognition/recognition_settings.hpp"
 
 namespace striate::perception {
 

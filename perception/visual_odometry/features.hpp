@@ -11,7 +11,8 @@ namespace striate::perception {
 struct Feature {
   double u_px = 0.0;
   double v_px = 0.0;
-  double scale = 1.0;  ///< 1 for the finest; its place errs so many times as much
+  /// 1 for the finest keypoints; the error of a place grows with it
+  double scale = 1.0;
   double response = 0.0;
 };
 

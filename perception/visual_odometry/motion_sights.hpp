@@ -1,8 +1,5 @@
 #pragma once
 
-#include <span>
-#include <vector>
-
 #include "striate/perception/visual_odometry/rigid_motion.hpp"
 #include "striate/perception/visual_odometry/stereo_eyes.hpp"
 

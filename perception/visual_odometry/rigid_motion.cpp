@@ -1,6 +1,5 @@
 #include "striate/perception/visual_odometry/rigid_motion.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 namespace striate::perception {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "striate/base/stopping_speed.hpp"
 #include "striate/platform/pioneer/keeper/line_keeper.hpp"
 
 namespace striate::pioneer {

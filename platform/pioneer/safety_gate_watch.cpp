@@ -34,13 +34,13 @@ void SafetyGate::watch_motors(TimePoint now) {
       motors_wanted_ = false;
       latch(HoldReason::motors_off, now);
     } else if (!base.motors_on && ask_again && latch_ == HoldReason::none) {
-      session_.send(arcos::command(Command::enable, 1));
+      session_.send(arcos::command(arcos::Command::enable, 1));
       motors_asked_ = true;
       motors_asked_at_ = now;
     }
     motors_were_on_ = motors_were_on_ || base.motors_on;
   } else if (base.motors_on && standing && ask_again) {
-    session_.send(arcos::command(Command::enable, 0));
+    session_.send(arcos::command(arcos::Command::enable, 0));
     motors_asked_ = true;
     motors_asked_at_ = now;
   }

@@ -2,7 +2,6 @@
 #include <cmath>
 #include <limits>
 
-#include "striate/base/stopping_speed.hpp"
 #include "striate/platform/simulator/obstacle_shapes.hpp"
 #include "striate/platform/simulator/walker.hpp"
 

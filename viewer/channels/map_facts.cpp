@@ -2,9 +2,7 @@
 
 #include <cmath>
 
-#include "striate/agent/recall/memory_state.hpp"
 #include "striate/memory/long_term/records.hpp"
-#include "striate/tasks/nodes/task_node.hpp"
 
 namespace striate::viewer {
 namespace {

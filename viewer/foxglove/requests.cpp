@@ -2,7 +2,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "striate/viewer/channels/channel_list.hpp"
 #include "striate/viewer/foxglove/protocol.hpp"
 
 namespace striate::viewer::foxglove {

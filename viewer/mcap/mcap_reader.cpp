@@ -4,7 +4,6 @@
 
 #include <utility>
 
-#include "striate/base/crc32.hpp"
 #include "striate/base/user_error.hpp"
 #include "striate/viewer/mcap/compression.hpp"
 #include "striate/viewer/mcap/record_bytes.hpp"

@@ -5,7 +5,6 @@
 
 #include "striate/base/crc32.hpp"
 #include "striate/base/user_error.hpp"
-#include "striate/viewer/mcap/compression.hpp"
 #include "striate/viewer/mcap/mcap_reader.hpp"
 #include "striate/viewer/mcap/record_bytes.hpp"
 

@@ -1,4 +1,3 @@
-#include "striate/base/crc32.hpp"
 #include "striate/viewer/mcap/mcap_writer.hpp"
 #include "striate/viewer/mcap/record_bytes.hpp"
 

@@ -1,6 +1,4 @@
-#include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <opencv2/calib3d.hpp>
 

@@ -6,7 +6,6 @@
 #include <set>
 
 #include "striate/base/lower_case.hpp"
-#include "striate/platform/datasets/images/read_image.hpp"
 #include "striate/platform/datasets/sequences/picture_list.hpp"
 
 namespace striate::datasets {

@@ -7,7 +7,6 @@
 #include <map>
 
 #include "striate/base/user_error.hpp"
-#include "striate/platform/datasets/images/read_image.hpp"
 
 namespace striate::datasets {
 namespace {

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "striate/base/pioneer_devices.hpp"
-
 namespace striate::pioneer {
 
 using dynamixel::Error;

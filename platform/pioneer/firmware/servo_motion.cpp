@@ -6,6 +6,9 @@
 #include "striate/platform/pioneer/firmware/servo_model.hpp"
 
 namespace striate::pioneer {
+
+using dynamixel::Error;
+using dynamixel::Register;
 namespace {
 
 /// AX-12A data sheet: 59 rpm without load

@@ -1,7 +1,9 @@
-#include "striate/base/pioneer_devices.hpp"
 #include "striate/platform/pioneer/firmware/servo_model.hpp"
 
 namespace striate::pioneer {
+
+using dynamixel::Error;
+using dynamixel::Register;
 namespace {
 
 /// Locked, only addresses 18 to 23 (hex) may be written; AX-12 manual, example 20

@@ -1,7 +1,5 @@
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "striate/perception/visual_odometry/patch_place.hpp"
 #include "tests/reference/rendered_room.hpp"
 

@@ -1,7 +1,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <vector>
 
 #include "striate/perception/visual_odometry/visual_odometry.hpp"
 #include "tests/reference/rendered_room.hpp"
