@@ -10,6 +10,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "striate/base/user_error.hpp"
+#include "striate/perception/recognition/landmark_view.hpp"
 #include "striate/platform/datasets/images/read_image.hpp"
 
 namespace striate::evaluation {
@@ -60,8 +61,8 @@ TaughtImage taught(const fs::path& path) {
   image.grey = datasets::read_any_grey(path);
   image.region = region_of_object(image.grey);
   // As `striate teach` shrinks what it learns from, for all methods alike.
-  constexpr double kLongestSide_px = 640.0;
-  const double scale = kLongestSide_px / std::max(image.region.width, image.region.height);
+  const double scale = static_cast<double>(perception::kLongestView_px) /
+                       std::max(image.region.width, image.region.height);
   if (scale >= 1.0) return image;
   const cv::Mat1b large = image.grey(image.region);
   cv::resize(large, image.grey, {}, scale, scale, cv::INTER_AREA);

@@ -6,13 +6,12 @@
 #include <opencv2/imgproc.hpp>
 
 #include "striate/memory/long_term/view_codec.hpp"
+#include "striate/perception/recognition/landmark_view.hpp"
 #include "striate/perception/recognition/oriented_keypoints.hpp"
 
 namespace striate::agent {
 namespace {
 
-/// px: the size recognition was measured at (jsk_arc2017, 640 x 480)
-constexpr int kLongestSide_px = 640;
 constexpr int kShortestSide_px = 16;  ///< below it there is nothing to look for
 constexpr int kJpegQuality = 90;      ///< of 100: so mild that no blocks are seen (ours)
 
@@ -54,8 +53,8 @@ perception::ViewKeypoint stored(const perception::Keypoint& point) {
 
 cv::Mat3b picture_to_learn(const cv::Mat3b& image) {
   const int side = std::max(image.cols, image.rows);
-  if (side <= kLongestSide_px) return image;
-  const double scale = static_cast<double>(kLongestSide_px) / side;
+  if (side <= perception::kLongestView_px) return image;
+  const double scale = static_cast<double>(perception::kLongestView_px) / side;
   cv::Mat3b small;
   // A strip a pixel high stays one pixel high.
   const cv::Size size(std::max(1, cvRound(scale * image.cols)),

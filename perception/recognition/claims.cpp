@@ -3,26 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "striate/base/index_within.hpp"
-
 namespace striate::perception {
-
-int different_keypoints(std::span<const PlacePair> pairs, std::vector<int>& points) {
-  int count = 0;
-  for (const bool of_view : {true, false}) {
-    points.clear();
-    for (const PlacePair& pair : pairs) {
-      const int place =
-          round_within(pair.image.v_px, 0, 32767) * 65536 + round_within(pair.image.u_px, 0, 65535);
-      points.push_back(of_view ? pair.view_point : place);
-    }
-    std::ranges::sort(points);
-    const auto repeated = std::ranges::unique(points);
-    const int different = static_cast<int>(repeated.begin() - points.begin());
-    count = of_view ? different : std::min(count, different);
-  }
-  return count;
-}
 
 void Claims::put(std::size_t number, std::span<const PlacePair> agreeing) {
   in_use_ = std::max(in_use_, number + 1);

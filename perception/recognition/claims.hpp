@@ -8,12 +8,6 @@
 
 namespace striate::perception {
 
-/// How many different keypoints a set of pairs has: of the view or of the image, whichever are
-/// fewer. Several keypoints of the image may agree with one of the view: it counts once. So does a
-/// place of the image that several keypoints of the view claim.
-/// @param points a buffer
-[[nodiscard]] int different_keypoints(std::span<const PlacePair> pairs, std::vector<int>& points);
-
 /// Which keypoints of an image speak for which of several recognitions, so that each speaks for one
 /// thing only: of two boxes of one brand, the label speaks for the one that agrees in more than the
 /// label. Keeps its buffers.

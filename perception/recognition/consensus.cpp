@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "striate/perception/recognition/claims.hpp"
+#include "striate/base/index_within.hpp"
 
 namespace striate::perception {
 namespace {
@@ -36,6 +36,25 @@ Turn turn_of(const Pose& pose) {
 }
 
 }  // namespace
+
+int image_place(const PlacePair& pair) {
+  return round_within(pair.image.v_px, 0, 32767) * 65536 + round_within(pair.image.u_px, 0, 65535);
+}
+
+int different_keypoints(std::span<const PlacePair> pairs, std::vector<int>& points) {
+  int count = 0;
+  for (const bool of_view : {true, false}) {
+    points.clear();
+    for (const PlacePair& pair : pairs) {
+      points.push_back(of_view ? pair.view_point : image_place(pair));
+    }
+    std::ranges::sort(points);
+    const auto repeated = std::ranges::unique(points);
+    const int different = static_cast<int>(repeated.begin() - points.begin());
+    count = of_view ? different : std::min(count, different);
+  }
+  return count;
+}
 
 bool turned_alike(const Pose& a, const Pose& b) {
   return alike(turn_of(a), turn_of(b));

@@ -14,6 +14,15 @@ struct Consensus {
   Pose pose;        ///< view to image
 };
 
+/// The pixel of the image that a pair is at, as one number.
+[[nodiscard]] int image_place(const PlacePair& pair);
+
+/// How many different keypoints a set of pairs has: of the view or of the image, whichever are
+/// fewer. Several keypoints of the image may agree with one of the view: it counts once. So does a
+/// place of the image that several keypoints of the view claim.
+/// @param points a buffer
+[[nodiscard]] int different_keypoints(std::span<const PlacePair> pairs, std::vector<int>& points);
+
 /// Whether two poses differ by less than a factor of two in size and less than 36 degrees in turn.
 [[nodiscard]] bool turned_alike(const Pose& a, const Pose& b);
 

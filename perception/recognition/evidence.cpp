@@ -6,7 +6,7 @@
 #include <limits>
 #include <numbers>
 
-#include "striate/base/index_within.hpp"
+#include "striate/perception/recognition/view_parts.hpp"
 
 namespace striate::perception {
 namespace {
@@ -21,13 +21,6 @@ constexpr double kHalfWay = 10.0;  // powers of ten from a score of 0.5 to one o
 
 constexpr int kPartsAcross = 4;  // of a view: a label on a box covers one or two (ours)
 using Parts = std::array<int, std::size_t{kPartsAcross} * kPartsAcross>;
-
-void count_in(Parts& parts, const KeypointFrame& place, double width_px, double height_px) {
-  const int x = round_within(std::floor(kPartsAcross * place.u_px / width_px), 0, kPartsAcross - 1);
-  const int y =
-      round_within(std::floor(kPartsAcross * place.v_px / height_px), 0, kPartsAcross - 1);
-  ++parts[static_cast<std::size_t>(y * kPartsAcross + x)];
-}
 
 }  // namespace
 
@@ -55,8 +48,10 @@ void residuals_of(std::span<const PlacePair> agreeing, const Pose& pose, double 
   residuals.clear();
   for (std::size_t i = 0; i < agreeing.size(); ++i) {
     const PlacePair& pair = agreeing[i];
-    const auto same = [&](const PlacePair& other) { return other.view_point == pair.view_point; };
-    // The first of a view's keypoint stands for it: pairs come in the order of the image's.
+    const auto same = [&](const PlacePair& other) {
+      return other.view_point == pair.view_point || image_place(other) == image_place(pair);
+    };
+    // What is listed twice, with two angles or at two sizes, is one keypoint: its first stands.
     if (std::ranges::any_of(agreeing.first(i), same)) continue;
     const double away_px = std::hypot(pose.u_of(pair.view.u_px, pair.view.v_px) - pair.image.u_px,
                                       pose.v_of(pair.view.u_px, pair.view.v_px) - pair.image.v_px);
@@ -98,8 +93,10 @@ double log10_expected_of(double score, double most_chance) {
 double spread(std::span<const KeypointFrame> visible, std::span<const PlacePair> agreeing,
               double width_px, double height_px) {
   Parts there{}, held{};
-  for (const KeypointFrame& place : visible) count_in(there, place, width_px, height_px);
-  for (const PlacePair& pair : agreeing) count_in(held, pair.view, width_px, height_px);
+  for (const KeypointFrame& place : visible)
+    ++there[part_of_view(place, width_px, height_px, kPartsAcross)];
+  for (const PlacePair& pair : agreeing)
+    ++held[part_of_view(pair.view, width_px, height_px, kPartsAcross)];
   const double agrees = std::min(
       1.0, static_cast<double>(agreeing.size()) / std::max<std::size_t>(1, visible.size()));
   double expected = 0.0;

@@ -18,6 +18,10 @@ struct ViewKeypoint {
 };
 static_assert(sizeof(ViewKeypoint) == 16 && sizeof(Descriptor) == 32);
 
+/// Pictures to teach from are shrunk to this longest side: recognition was measured at it
+/// (jsk_arc2017, 640 x 480).
+inline constexpr int kLongestView_px = 640;
+
 /// One view of a landmark as it was taught. Both arrays can be stored as they lie in memory.
 struct LandmarkView {
   std::vector<Descriptor> descriptors;  ///< Striate's own, 32 bytes each

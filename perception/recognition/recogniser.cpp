@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
-#include <numeric>
 #include <stdexcept>
 
 #include "striate/base/user_error.hpp"
@@ -26,7 +24,7 @@ struct Box {
   }
 };
 
-void check(const RecognitionSettings& s) {
+void check_recognition(const RecognitionSettings& s) {
   auto bits = [](int limit) { return limit >= 1 && limit <= 257; };
   if (!bits(s.limit_bits) || !bits(s.paper_limit_bits)) {
     throw UserError("recognition: limits must be 1 .. 257 bits");
@@ -55,7 +53,7 @@ void write_pose(const Pose& pose, double width_px, double height_px, Recognition
 
 Recogniser::Recogniser(const RecognitionSettings& settings)
     : settings_(settings), consensus_(settings) {
-  check(settings);
+  check_recognition(settings);
 }
 
 int Recogniser::add(int landmark, const LandmarkView& view) {
@@ -67,8 +65,8 @@ int Recogniser::add(int landmark, const LandmarkView& view) {
   }
   auto free = std::ranges::find(views_, false, &View::in_use);
   if (free == views_.end()) free = views_.insert(views_.end(), View{});
-  *free = {true, landmark, {}, {}, view.width_px, view.height_px, view.descriptors, {}};
-  for (View& one : views_) one.shared.clear();
+  *free = {true, landmark, {}, {}, view.width_px, view.height_px, {}};
+  ++change_;
   free->store.append(view.descriptors);
   for (const ViewKeypoint& point : view.keypoints) free->places.push_back(place_of(point));
   ++in_use_;
@@ -79,7 +77,7 @@ void Recogniser::remove(int view) {
   View& removed = views_.at(static_cast<std::size_t>(view));
   if (!removed.in_use) throw std::out_of_range("Recogniser: no such view");
   removed = {};
-  for (View& one : views_) one.shared.clear();
+  ++change_;
   --in_use_;
 }
 
@@ -180,31 +178,6 @@ void Recogniser::find_pairs(const View& view, std::span<const Descriptor> descri
   }
 }
 
-/// How far agreement is beyond chance, on a scale from 0 to 1 on which 0.5 is enough: in a memory
-/// with more views, and among more pairs, chance has more opportunities.
-double Recogniser::evidence(std::span<const PlacePair> agreeing, const Found& of) {
-  residuals_of(agreeing, of.pose, of.side_px, residuals_);
-  const double chance = std::log10(static_cast<double>(std::max<std::size_t>(1, in_use_))) +
-                        log10_chance(of.all, residuals_, of.carried);
-  return score_of_chance(chance, settings_.most_chance);
-}
-
-/// From afar only the coarse keypoints of a view can be seen: of them, the share that agrees, and
-/// whether those lie all over what is seen.
-bool Recogniser::agrees_all_over(const View& view, const Consensus& consensus, double own) {
-  if (settings_.least_share <= 0.0 && settings_.least_spread <= 0.0) return true;
-  // Of the finest keypoint's size: scales are sqrt(2) apart, so half a step is 0.84 (ours)
-  constexpr double kAboutAsLarge = 0.9;
-  const double least_px = kAboutAsLarge * finest_px_ / consensus.pose.scale();
-  visible_.clear();
-  std::ranges::copy_if(view.places, std::back_inserter(visible_), [&](const KeypointFrame& place) {
-    return place.size_px >= least_px && !view.shared.holds(place);
-  });
-  const double share = own * consensus.inliers / std::max<double>(1.0, visible_.size());
-  return share >= settings_.least_share &&
-         spread(visible_, agreeing_, view.width_px, view.height_px) >= settings_.least_spread;
-}
-
 /// The nearest keypoint of a view, if another place of the view is not nearly as near.
 /// @param matches of the image's keypoint that is there
 void Recogniser::add_pair(const View& view, const KeypointFrame& image_place,
@@ -238,32 +211,6 @@ void Recogniser::keep(const Recognition& recognition) {
     why_[number] = compared_;
   }
   if (settings_.mode == RecognitionMode::robust) claims_.put(number, agreeing_);
-}
-
-/// What tells two alike things apart decides, not what they share: a keypoint of the image speaks
-/// for the thing that most keypoints speak for, and what is left must do for the others.
-void Recogniser::leave_each_keypoint_to_one() {
-  order_.resize(found_.size());
-  std::iota(order_.begin(), order_.end(), std::size_t{0});
-  std::ranges::sort(order_, [&](std::size_t i, std::size_t j) {
-    const Recognition &a = found_[i], &b = found_[j];
-    return a.inliers != b.inliers ? a.inliers > b.inliers : a.landmark < b.landmark;
-  });
-  claims_.begin_taking();
-  for (const std::size_t number : order_) {
-    Recognition& found = found_[number];
-    const std::span<const PlacePair> left = claims_.left(number);
-    const int count = different_keypoints(left, points_) + why_[number].carried;
-    const double score = count < found.inliers ? evidence(left, why_[number]) : found.score;
-    if (count < settings_.least_inliers || !is_enough(score)) {
-      found.inliers = 0;
-      continue;
-    }
-    found.inliers = count;
-    found.score = score;
-    claims_.take(number);
-  }
-  std::erase_if(found_, [](const Recognition& found) { return found.inliers == 0; });
 }
 
 const std::vector<Recognition>& Recogniser::sorted() {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <limits>
 #include <span>
@@ -62,8 +63,9 @@ class Recogniser {
     std::vector<KeypointFrame> places;  ///< of each descriptor
     double width_px = 0.0;
     double height_px = 0.0;
-    std::vector<Descriptor> descriptors;
-    SharedParts shared;  ///< found out when the view is recognised for the first time
+    SharedParts shared;        ///< found out when the view is recognised for the first time ...
+    std::size_t compared = 0;  ///< ... by comparing it with so many of the others ...
+    std::uint64_t change = 0;  ///< ... as they were after this change
   };
 
   void begin(std::span<const Keypoint> keypoints);
@@ -73,7 +75,7 @@ class Recogniser {
   [[nodiscard]] bool find_pose(View& view, Recognition& found);
   void find_pairs(const View& view, std::span<const Descriptor> descriptors,
                   std::span<const KeypointFrame> places);
-  void find_shared_parts(View& view);
+  [[nodiscard]] bool find_shared_parts(View& view);
   [[nodiscard]] int keep_what_is_its_own(View& view);
   [[nodiscard]] bool agrees_all_over(const View& view, const Consensus& consensus, double own);
   void add_pair(const View& view, const KeypointFrame& place, std::span<const Match> matches);
@@ -92,6 +94,7 @@ class Recogniser {
 
   RecognitionSettings settings_;
   std::vector<View> views_;
+  std::uint64_t change_ = 0;  ///< counts views that were added or removed
   std::size_t in_use_ = 0, looked_at_ = 0;
   double finest_px_ = 0.0;  ///< least size of the image's keypoints
   HammingSearch search_;
@@ -99,10 +102,12 @@ class Recogniser {
   std::vector<Descriptor> queries_;
   std::vector<KeypointFrame> query_places_;
   std::vector<PlacePair> pairs_;
-  std::vector<PlacePair> agreeing_;     ///< of them, those that count
-  std::vector<Match> nearest_;          ///< paper: of every descriptor of a view
-  std::vector<KeypointFrame> visible_;  ///< of a view, at the scale it was found at
-  Found compared_;                      ///< of the view that was compared last
+  std::vector<PlacePair> agreeing_;        ///< of them, those that count
+  std::vector<PlacePair> pairs_of_image_;  ///< kept while a view is compared with others
+  std::vector<Descriptor> descriptors_;    ///< of that view
+  std::vector<Match> nearest_;             ///< paper: of every descriptor of a view
+  std::vector<KeypointFrame> visible_;     ///< of a view, at the scale it was found at
+  Found compared_;                         ///< of the view that was compared last
   std::vector<double> residuals_;
   std::vector<Recognition> found_;
   std::vector<Found> why_;  ///< of each of found_

@@ -1,15 +1,11 @@
 #include "striate/perception/recognition/shared_parts.hpp"
 
-#include <cmath>
-
-#include "striate/base/index_within.hpp"
+#include "striate/perception/recognition/view_parts.hpp"
 
 namespace striate::perception {
 
 std::size_t SharedParts::part_of(const KeypointFrame& place) const {
-  const int x = round_within(std::floor(kAcross * place.u_px / width_px_), 0, kAcross - 1);
-  const int y = round_within(std::floor(kAcross * place.v_px / height_px_), 0, kAcross - 1);
-  return static_cast<std::size_t>(y * kAcross + x);
+  return part_of_view(place, width_px_, height_px_, kAcross);
 }
 
 void SharedParts::begin(std::span<const KeypointFrame> places, double width_px, double height_px) {

@@ -12,7 +12,7 @@ namespace {
 /// 11 deg: a region farther from the line of sight is another thing; the servos err by less
 constexpr double kAimed_rad = 0.2;
 /// One px of disparity is 0.37 m there: beyond, a thing is not cut from its background
-constexpr double kFarthest_m = 3.0;
+constexpr double kFarthestThing_m = 3.0;
 /// How far a thing reaches before and behind its middle: boxes, cups, books (ours)
 constexpr double kDeep_m = 0.12;
 /// Of its side: a region, cut at half its salience, may be a little smaller than its thing
@@ -24,7 +24,7 @@ const SalientRegion* region_at(const Percept& percept, double bearing_rad) {
   const SalientRegion* best = nullptr;
   double least_rad = kAimed_rad;
   for (const SalientRegion& region : percept.saliency.regions) {
-    if (!(region.distance_m < kFarthest_m)) continue;
+    if (!(region.distance_m < kFarthestThing_m)) continue;
     const double off_rad = std::abs(wrap_angle(region.bearing_rad - bearing_rad));
     if (off_rad >= least_rad) continue;
     least_rad = off_rad;

@@ -5,14 +5,21 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
-#include <cstdlib>
+#include <cstdint>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
+#include "striate/base/user_error.hpp"
+#include "striate/evaluation/sequence_patches.hpp"
+#include "striate/platform/datasets/images/read_image.hpp"
+
+namespace striate {
 namespace {
 
 namespace fs = std::filesystem;
@@ -22,9 +29,8 @@ constexpr int kWidth_px = 360, kHeight_px = 500;  // of a box as it is taught
 constexpr int kAbove_px = 150, kBelow_px = 80;    // that all share
 
 std::vector<fs::path> shuffled_pictures(const fs::path& folder, cv::RNG& random) {
-  std::vector<fs::path> files;
-  for (const auto& entry : fs::directory_iterator(folder)) files.push_back(entry.path());
-  std::ranges::sort(files);
+  std::vector<fs::path> files = evaluation::sorted_entries(folder);
+  std::erase_if(files, [](const fs::path& file) { return !datasets::is_image(file); });
   for (std::size_t i = files.size() - 1; i > 0; --i) {
     std::swap(files[i],
               files[static_cast<std::size_t>(random.uniform(0, static_cast<int>(i) + 1))]);
@@ -33,7 +39,7 @@ std::vector<fs::path> shuffled_pictures(const fs::path& folder, cv::RNG& random)
 }
 
 cv::Mat3b piece_of(const fs::path& file, cv::Size size, cv::RNG& random) {
-  const cv::Mat3b picture = cv::imread(file.string());
+  const cv::Mat3b picture = datasets::read_any_image(file);
   const double scale =
       random.uniform(1.0, 1.8) * std::max(static_cast<double>(size.width) / picture.cols,
                                           static_cast<double>(size.height) / picture.rows);
@@ -91,21 +97,23 @@ cv::Mat3b photograph(const cv::Mat3b& box, const fs::path& wall, cv::RNG& random
   return scene;
 }
 
-}  // namespace
+std::uint64_t whole_number(const char* word, std::uint64_t most) {
+  std::uint64_t number = 0;
+  const char* end = word + std::strlen(word);
+  const auto [stop, wrong] = std::from_chars(word, end, number);
+  if (wrong != std::errc{} || stop != end || number > most) {
+    throw UserError(fmt::format("'{}' is no whole number from 0 to {}", word, most));
+  }
+  return number;
+}
 
-int main(int count, char** words) {
-  if (count < 3) {
-    fmt::print(stderr, "usage: alike_boxes PICTURES SET [SEED [TAUGHT]]\n");
-    return 2;
-  }
-  cv::RNG random(count > 3 ? std::strtoull(words[3], nullptr, 10) : 1U);
-  const int taught = count > 4 ? std::atoi(words[4]) : kBoxes;
-  const std::vector<fs::path> files = shuffled_pictures(words[1], random);
+void draw_set(const fs::path& pictures, const fs::path& set, std::uint64_t seed, int taught) {
+  cv::RNG random(seed);
+  const std::vector<fs::path> files = shuffled_pictures(pictures, random);
   if (files.size() < 2 + kBoxes + kScenes) {
-    fmt::print(stderr, "{}: {} pictures are needed\n", words[1], 2 + kBoxes + kScenes);
-    return 2;
+    throw UserError(fmt::format("{}: {} pictures are needed, {} are there", pictures.string(),
+                                2 + kBoxes + kScenes, files.size()));
   }
-  const fs::path set = words[2];
   const std::vector<cv::Mat3b> boxes = draw_boxes(files, random);
   for (int k = 0; k < taught; ++k) {
     fs::create_directories(set / fmt::format("objects/box{}", k));
@@ -124,5 +132,26 @@ int main(int count, char** words) {
                              : fmt::format("\"{}\": []", k));
   }
   truth << "}\n";
+  truth.close();
+  if (!truth) throw UserError(set.string() + ": cannot be written");
+}
+
+}  // namespace
+}  // namespace striate
+
+int main(int count, char** words) {
+  if (count < 3 || count > 5) {
+    fmt::print(stderr, "usage: alike_boxes PICTURES SET [SEED [TAUGHT]]\n");
+    return 2;
+  }
+  try {
+    const auto seed = count > 3 ? striate::whole_number(words[3], UINT64_MAX) : 1U;
+    const auto taught =
+        count > 4 ? striate::whole_number(words[4], striate::kBoxes) : striate::kBoxes;
+    striate::draw_set(words[1], words[2], seed, static_cast<int>(taught));
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "error: {}\n", error.what());
+    return 2;
+  }
   return 0;
 }

@@ -95,6 +95,18 @@ TEST(AlikeThings, WhatIsSharedIsFoundOutAgainWhenViewsComeAndGo) {
   EXPECT_EQ(recogniser.recognise(other).size(), 1U);
 }
 
+TEST(AlikeThings, InAVeryLargeMemoryAreToldApartInALaterLookSoThatNoneTakesLong) {
+  Recogniser recogniser = knows({box_of_a_brand(61), box_of_a_brand(62)});
+  const LandmarkView other = view_of(coarse_texture({48, 48}, 7));
+  for (int k = 0; k < 450; ++k) recogniser.add(2 + k, other);
+  const std::vector<Keypoint> scene = points_of(scene_of(box_of_a_brand(61), 0.9, 200, 100));
+  const std::vector<int> order{0};
+  EXPECT_TRUE(recogniser.recognise(scene, order, {}).empty()) << "450 are not compared in a look";
+  ASSERT_EQ(recogniser.recognise(scene, order, {}).size(), 1U);
+  recogniser.add(500, other);
+  EXPECT_TRUE(recogniser.recognise(scene, order, {}).empty()) << "it may share a part, too";
+}
+
 TEST(AlikeThings, ALabelOnAnotherThingIsNotSpreadOverTheView) {
   RecognitionSettings settings;
   settings.least_spread = 0.35;
@@ -118,6 +130,21 @@ TEST(Evidence, ChanceGrowsWithThePairsAndShrinksWithThoseThatAgree) {
   EXPECT_LT(chance(100, 12, 0.015), chance(100, 12, 0.03));
   EXPECT_LE(chance(100, 12, 0.02), chance(100, 8, 0.02)) << "the best number of pairs counts";
   EXPECT_TRUE(std::isinf(chance(100, 3, 0.0))) << "three carry any pose";
+}
+
+TEST(Evidence, AKeypointThatIsListedTwiceCountsOnce) {
+  const auto pair = [](int view_point, double view_u_px, double image_u_px) {
+    return PlacePair{{view_u_px, 10.0, 4.0, 0.0}, {image_u_px, 10.0, 4.0, 0.0}, view_point};
+  };
+  const std::vector<PlacePair> once{pair(0, 10.0, 10.0), pair(1, 30.0, 31.0)};
+  std::vector<PlacePair> again = once;
+  again.push_back(pair(1, 30.0, 29.5));  // the same of the view, another of the image
+  again.push_back(pair(2, 29.0, 31.2));  // another of the view, the same pixel of the image
+  std::vector<double> of_once, of_again;
+  residuals_of(once, Pose{}, 100.0, of_once);
+  residuals_of(again, Pose{}, 100.0, of_again);
+  EXPECT_EQ(of_once, (std::vector<double>{0.0, 0.01}));
+  EXPECT_EQ(of_again, of_once);
 }
 
 TEST(Evidence, PairsThatAreDrawnAtRandomAreRarelyBelowWhatIsExpected) {
