@@ -1,13 +1,10 @@
 #include "striate/perception/perception.hpp"
 
-#include <cmath>
-#include <limits>
 #include <opencv2/imgproc.hpp>
 #include <stdexcept>
 #include <utility>
 
 #include "striate/perception/hanging_edges/hanging_edges.hpp"
-#include "striate/perception/low_things/low_things.hpp"
 #include "striate/perception/noise_estimate.hpp"
 #include "striate/perception/obstacles/wall_completion.hpp"
 #include "striate/perception/stereo/shrink_by_four.hpp"
@@ -15,7 +12,7 @@
 namespace striate::perception {
 namespace {
 
-cv::Mat1b grey_of(const cv::Mat3b& image) {
+cv::Mat1b grey_picture(const cv::Mat3b& image) {
   cv::Mat1b grey;
   cv::cvtColor(image, grey, cv::COLOR_BGR2GRAY);
   return grey;
@@ -37,14 +34,6 @@ void describe_camera(const StereoFrame& frame, int width, DisparityMap& map) {
   map.baseline_m = frame.right.empty() ? 0.0 : frame.baseline_m;
 }
 
-double slope_of_top(const DisparityMap& map, const HeadPose& head) {
-  if (map.focal_px <= 0.0) return std::numeric_limits<double>::infinity();
-  const double down = -map.centre_v_px / map.focal_px;
-  const double forward = std::cos(head.tilt_rad) + down * std::sin(head.tilt_rad);
-  const double up = std::sin(head.tilt_rad) - down * std::cos(head.tilt_rad);
-  return forward > 0.0 ? up / forward : std::numeric_limits<double>::infinity();
-}
-
 /// Low things show by the second power of how near they are: only where the view reaches nearer
 /// than this is twice the working size worth its time, 10 ms. The resting view begins at 2.1 m, a
 /// glance down at 1.4 m.
@@ -52,10 +41,8 @@ constexpr double kWorthLookingFrom_m = 1.8;
 
 bool shows_near_floor(const DisparityMap& map, const HeadPose& head,
                       const RobotDescription& robot) {
-  const ViewGeometry geometry(map, head, robot);
-  const double bottom = map.disparity_px.rows - 1;
-  const double floor_px = geometry.floor_disparity_px(bottom) * geometry.level_factor(bottom);
-  return floor_px > 0.0 && geometry.focal_baseline() < kWorthLookingFrom_m * floor_px;
+  const double fall = ViewGeometry(map, head, robot).fall_of_row(map.disparity_px.rows - 1);
+  return fall * kWorthLookingFrom_m > robot.camera_height_m;
 }
 
 }  // namespace
@@ -65,7 +52,7 @@ Perception::Perception(const PerceptionSettings& settings, const RobotDescriptio
     : settings_(settings),
       robot_(robot),
       matcher_(settings.stereo),
-      low_things_(std::make_unique<LowThingFinder>(settings.low_things, settings.stereo, robot)),
+      low_things_(settings.low_things, settings.stereo, robot),
       keypoint_finder_(settings.keypoints),
       saliency_finder_(settings.saliency),
       motion_finder_(settings.motion, robot),
@@ -102,24 +89,21 @@ void Perception::measure_depth(const StereoFrame& frame, const Greys& greys, Per
   percept.obstacles = std::move(view.obstacles);
 }
 
-Perception::~Perception() = default;
-
 /// Low things, and level edges that hang over the floor, at twice the working size.
 void Perception::see_what_is_hard_to_see(const StereoFrame& frame, const Greys& greys,
                                          const DisparityMap& disparity, ObstacleView& view) {
   if (shows_near_floor(disparity, frame.head, robot_)) {
-    const DisparityMap fine = low_things_->measure(frame, greys.whole, disparity);
-    if (!fine.disparity_px.empty()) add_low_things(low_things_->judge(fine, frame.head), view);
+    const DisparityMap fine = low_things_.measure(frame, greys.whole, disparity);
+    if (!fine.disparity_px.empty()) add_low_things(low_things_.judge(fine, frame.head), view);
   }
-  constexpr int kFinerEdges = 2;  // times the working size, as low things
-  const int width = kFinerEdges * settings_.stereo.width;
+  const int width = kFinerSize * settings_.stereo.width;
   if (!settings_.hanging_edges.on || frame.left.cols < width) return;
   DisparityMap camera;
   describe_camera(frame, width, camera);
   const std::vector<HangingEdge> edges =
       find_hanging_edges(to_working_size(greys.whole, width), to_working_size(frame.right, width),
                          ViewGeometry(camera, frame.head, robot_), settings_.hanging_edges);
-  add_hanging_edges(edges, disparity, ViewGeometry(disparity, frame.head, robot_), kFinerEdges,
+  add_hanging_edges(edges, disparity, ViewGeometry(disparity, frame.head, robot_), kFinerSize,
                     view);
 }
 
@@ -129,13 +113,16 @@ Percept Perception::see(const StereoFrame& frame, const std::optional<Pose2>& ba
   percept.stamp = frame.stamp;
   if (frame.left.empty()) return percept;
   percept.valid = true;
-  const cv::Mat1b grey = grey_of(frame.left);
+  const cv::Mat1b grey = grey_picture(frame.left);
   const cv::Mat1b left = to_working_size(grey, settings_.stereo.width);
   percept.light_level = cv::mean(left)[0] / 255.0;
   percept.noise_level = estimate_noise(grey);
 
   describe_camera(frame, left.cols, percept.disparity);
-  percept.top_slope = slope_of_top(percept.disparity, frame.head);
+  if (percept.disparity.focal_px > 0.0) {
+    const ViewGeometry geometry(percept.disparity, frame.head, robot_);
+    if (geometry.level_factor(0.0) > 0.0) percept.top_slope = -geometry.fall_of_row(0.0);
+  }
   measure_depth(frame, {grey, left}, percept);
   percept.corridor = view_corridor(left, percept.disparity, frame.head, robot_, settings_.corridor);
   if (settings_.stereo.mode == StereoMode::robust) {

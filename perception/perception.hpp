@@ -1,14 +1,13 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <optional>
 
 #include "striate/config/settings.hpp"
 #include "striate/perception/corridor/corridor_view.hpp"
 #include "striate/perception/hanging_edges/hanging_edge_settings.hpp"
 #include "striate/perception/keypoints/keypoints.hpp"
-#include "striate/perception/low_things/low_thing_settings.hpp"
+#include "striate/perception/low_things/low_things.hpp"
 #include "striate/perception/motion/motion.hpp"
 #include "striate/perception/obstacles/obstacles.hpp"
 #include "striate/perception/percept.hpp"
@@ -56,8 +55,6 @@ void visit(V& v, PerceptionSettings& s) {
             "keypoints in every n-th image; 0: never");
 }
 
-class LowThingFinder;
-
 /// What perception may be built with beside its settings; all of it may be left out.
 struct PerceptionExtras {
   /// What landmarks look like, from whoever remembers them.
@@ -80,7 +77,6 @@ class Perception {
   /// (Recogniser::add).
   Perception(const PerceptionSettings& settings, const RobotDescription& robot,
              const PerceptionExtras& extras = {});
-  ~Perception();
 
   /// No image: a percept that is not valid. One eye (`right` empty): what one image can give,
   /// the corridor's heading, saliency and keypoints. Unknown camera (`focal_px` <= 0):
@@ -106,7 +102,7 @@ class Perception {
   PerceptionSettings settings_;
   RobotDescription robot_;
   StereoMatcher matcher_;
-  std::unique_ptr<LowThingFinder> low_things_;
+  LowThingFinder low_things_;
   KeypointFinder keypoint_finder_;
   SaliencyFinder saliency_finder_;
   MotionFinder motion_finder_;

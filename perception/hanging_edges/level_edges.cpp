@@ -10,7 +10,7 @@ namespace {
 /// Grey levels a row, after smoothing: three times what noise of 2 levels leaves (by hand)
 constexpr float kLeastChange = 2.0F;
 /// Of the change across: a level edge rises or falls by less than one row in two columns
-constexpr float kLevel = 0.5F;
+constexpr float kLevelShare = 0.5F;
 constexpr int kHole_px = 4;  // columns without the edge that a chain bridges (by hand)
 /// Of the edge's own mean change: where it has become weaker it has ended (by hand)
 constexpr float kEnded = 0.45F;
@@ -44,7 +44,7 @@ void edges_in_column(const Changes& changes, cv::Range rows, int u,
   for (int v = std::max(1, rows.start); v < std::min(rows.end, changes.down.rows - 1); ++v) {
     const float here = changes.down(v, u);
     const float strength = std::abs(here);
-    if (strength < kLeastChange || std::abs(changes.along(v, u)) > kLevel * strength) continue;
+    if (strength < kLeastChange || std::abs(changes.along(v, u)) > kLevelShare * strength) continue;
     const float sign = here < 0.0F ? -1.0F : 1.0F;
     const float above = sign * changes.down(v - 1, u);
     const float below = sign * changes.down(v + 1, u);

@@ -7,7 +7,7 @@ namespace striate::perception {
 namespace {
 
 /// Nearer by less is the same thing, seen twice: its foot and its trunk
-constexpr double kSameThing_m = 0.10;
+constexpr double kSameLowThing_m = 0.10;
 /// Free floor ends before it, as before every obstacle (obstacles.cpp)
 constexpr double kLowClearance_m = 0.05;
 
@@ -33,7 +33,7 @@ void add_low_things(const ObstacleView& low, ObstacleView& view) {
     const auto nearest = std::min_element(
         from, from + static_cast<std::ptrdiff_t>(finer),
         [](const Column& a, const Column& b) { return a.obstacle_m < b.obstacle_m; });
-    if (nearest->obstacle_m < view.columns[u].obstacle_m - kSameThing_m) {
+    if (nearest->obstacle_m < view.columns[u].obstacle_m - kSameLowThing_m) {
       block(*nearest, view.columns[u]);
     }
   }

@@ -1,5 +1,6 @@
 #include "striate/perception/low_things/floor_refuted.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
@@ -35,22 +36,35 @@ cv::Mat1f left_over(const cv::Mat1f& left, const cv::Mat1f& right, int shift) {
   return mean;
 }
 
+/// Disparities to the nearest pixel, -1 where there is none. @param most grows to the largest
+cv::Mat1i whole_shifts(const cv::Mat1f& moved, int& most) {
+  cv::Mat1i shifts(moved.size(), -1);
+  for (int v = 0; v < moved.rows; ++v) {
+    for (int u = 0; u < moved.cols; ++u) {
+      if (!std::isfinite(moved(v, u))) continue;
+      shifts(v, u) = round_within(moved(v, u), 0, moved.cols - 1);
+      most = std::max(most, shifts(v, u));
+    }
+  }
+  return shifts;
+}
+
 }  // namespace
 
 cv::Mat1f floor_refuted_by(const FloorBand& band, const cv::Mat1f& moved, double floor_px) {
   cv::Mat1f refuted(moved.size(), 1.0F);
+  const int at_floor = round_within(floor_px, 0, moved.cols - 1);
+  int most = at_floor;
+  const cv::Mat1i shifts = whole_shifts(moved, most);
+  if (most == at_floor) return refuted;
   const cv::Mat1f left = without_mean(band.left);
   const cv::Mat1f right = without_mean(band.right);
-  const int at_floor = round_within(floor_px, 0, left.cols - 1);
   const cv::Mat1f on_floor = left_over(left, right, at_floor);
-  double most = 0.0;
-  cv::minMaxLoc(moved, nullptr, &most, nullptr, nullptr,
-                cv::Mat(moved < std::numeric_limits<float>::infinity()));
-  for (int shift = at_floor + 1; shift <= round_within(most, 0, left.cols - 1); ++shift) {
+  for (int shift = at_floor + 1; shift <= most; ++shift) {
     const cv::Mat1f here = left_over(left, right, shift);
     for (int v = 0; v < moved.rows; ++v) {
       for (int u = 0; u < moved.cols; ++u) {
-        if (!std::isfinite(moved(v, u)) || std::lround(moved(v, u)) != shift) continue;
+        if (shifts(v, u) != shift) continue;
         refuted(v, u) = (on_floor(v, u) + kLeastLeft) / (here(v, u) + kLeastLeft);
       }
     }

@@ -9,7 +9,6 @@
 namespace striate::perception {
 namespace {
 
-constexpr int kFiner = 2;  // times the working size; at four times it would cost 8 ms (ours)
 /// Disparity that the floor gets in the band, px: mirror images in it are farther
 constexpr double kFloorAt_px = 6.0;
 /// Disparities searched: up to 18 px above the floor line, 0.4 m high 1 m away
@@ -29,7 +28,7 @@ constexpr int kMarginRows = 6;
 
 StereoSettings band_stereo(StereoSettings stereo) {
   stereo.mode = StereoMode::robust;
-  stereo.width *= kFiner;
+  stereo.width *= kFinerSize;
   stereo.candidates = kBandCandidates;
   stereo.robust.fine_greys = true;
   stereo.robust.fill_gap_px = 0;  // what was not seen says nothing about a few centimetres
@@ -37,9 +36,9 @@ StereoSettings band_stereo(StereoSettings stereo) {
 }
 
 void describe_band(const DisparityMap& coarse, int first_row, DisparityMap& fine) {
-  fine.focal_px = kFiner * coarse.focal_px;
-  fine.centre_u_px = kFiner * (coarse.centre_u_px + 0.5) - 0.5;
-  fine.centre_v_px = kFiner * (coarse.centre_v_px + 0.5) - 0.5 - first_row;
+  fine.focal_px = kFinerSize * coarse.focal_px;
+  fine.centre_u_px = kFinerSize * (coarse.centre_u_px + 0.5) - 0.5;
+  fine.centre_v_px = kFinerSize * (coarse.centre_v_px + 0.5) - 0.5 - first_row;
   fine.baseline_m = coarse.baseline_m;
 }
 
@@ -74,20 +73,16 @@ LowThingFinder::LowThingFinder(const LowThingSettings& settings, const StereoSet
                                const RobotDescription& robot)
     : settings_(settings),
       robot_(robot),
-      width_px_(kFiner * stereo.width),
+      width_px_(kFinerSize * stereo.width),
       matcher_(band_stereo(stereo)) {}
 
-/// From where the floor is in view at the farthest distance, and what stands there, to the bottom.
+/// From the row in which the highest thing at the farthest distance begins to the bottom.
 int LowThingFinder::first_row_of(const ViewGeometry& geometry, int rows) const {
-  const SpacePoint top{robot_.camera_forward_m + settings_.farthest_m, 0.0, settings_.highest_m};
+  const double least_fall = (robot_.camera_height_m - settings_.highest_m) / settings_.farthest_m;
   for (int v = 0; v < rows; ++v) {
-    const double d = geometry.floor_disparity_px(v);
-    if (d <= 0.0 || !(geometry.level_factor(v) > 0.0)) continue;
-    const double seen_m = geometry.focal_baseline() / (d * geometry.level_factor(v));
-    // The line of sight over the highest thing at the farthest distance meets the floor behind it.
-    const double behind_m =
-        settings_.farthest_m * robot_.camera_height_m / (robot_.camera_height_m - top.z_m);
-    if (seen_m <= behind_m) return std::max(0, v - kMarginRows);
+    if (geometry.level_factor(v) > 0.0 && geometry.fall_of_row(v) >= least_fall) {
+      return std::max(0, v - kMarginRows);
+    }
   }
   return rows;
 }
@@ -130,13 +125,14 @@ void LowThingFinder::drop_what_may_be_floor(const FloorBand& band, DisparityMap&
 void LowThingFinder::trust_only_what_agrees(const FloorBand& band, const DisparityMap& coarse,
                                             DisparityMap& fine) const {
   for (int row = 0; row < fine.disparity_px.rows; ++row) {
-    const int coarse_row = std::min(coarse.disparity_px.rows - 1, (band.first_row + row) / kFiner);
+    const int coarse_row =
+        std::min(coarse.disparity_px.rows - 1, (band.first_row + row) / kFinerSize);
     for (int u = 0; u < fine.disparity_px.cols; ++u) {
       float& d = fine.disparity_px(row, u);
       if (d == kNoMatch) continue;
       d += static_cast<float>(band.moved_px[static_cast<std::size_t>(row)]);
-      const int coarse_u = std::min(coarse.disparity_px.cols - 1, u / kFiner);
-      const float expected = kFiner * coarse.disparity_px(coarse_row, coarse_u);
+      const int coarse_u = std::min(coarse.disparity_px.cols - 1, u / kFinerSize);
+      const float expected = kFinerSize * coarse.disparity_px(coarse_row, coarse_u);
       const bool known = coarse.confidence(coarse_row, coarse_u) >= kBandTrusted;
       const bool in_both = d > 0.0F && d <= static_cast<float>(u);
       if (in_both && known && std::abs(expected - d) <= kApart_px) continue;
@@ -156,7 +152,7 @@ ObstacleView LowThingFinder::judge(const DisparityMap& fine, const HeadPose& hea
   rules.standing_px = settings_.standing_px;
   rules.smallest_m = settings_.smallest_m;
   rules.smallest_px = settings_.smallest_px;
-  rules.floor_offset_px = kFiner * ObstacleSettings{}.floor_offset_px;
+  rules.floor_offset_px = kFinerSize * ObstacleSettings{}.floor_offset_px;
   rules.bridged_columns = 0;  // it would bridge to things that stand farther off, too
   ObstacleView view = find_obstacles(fine, head, robot_, rules);
   bridge_plain_fronts(view.columns);

@@ -8,6 +8,9 @@
 
 namespace striate::perception {
 
+/// Of what shows by about a pixel of the working size: so many times that size (ours).
+inline constexpr int kFinerSize = 2;
+
 /// Low things on the near floor: a parcel, a plank, a step. At the working size they rise above the
 /// floor line by about a pixel. Here the near floor is matched again at twice that size, against
 /// the floor line itself (FloorBand), and judged by the same rules as everything else.

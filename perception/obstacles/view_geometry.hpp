@@ -45,6 +45,12 @@ class ViewGeometry {
   [[nodiscard]] double level_factor(double v_px) const {
     return 1.0 / (cos_tilt_ + (v_px - centre_v_px_) / focal_px_ * sin_tilt_);
   }
+  /// Metres that the line of sight of row v falls in each metre forward; negative where it rises.
+  /// It meets the floor h over that ahead of the camera.
+  [[nodiscard]] double fall_of_row(double v_px) const {
+    const double y = (v_px - centre_v_px_) / focal_px_;
+    return (y * cos_tilt_ - sin_tilt_) / (cos_tilt_ + y * sin_tilt_);
+  }
   /// Height above the floor of what has disparity `d_px` > 0 in row v.
   [[nodiscard]] double height_m(double v_px, double d_px) const {
     return camera_height_m_ * (1.0 - floor_disparity_px(v_px) / d_px);

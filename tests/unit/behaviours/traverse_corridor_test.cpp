@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <numbers>
+#include <vector>
 
 #include "striate/behaviours/avoid.hpp"
 #include "striate/behaviours/turn_to.hpp"
@@ -52,6 +53,22 @@ TEST(TraverseCorridor, DrivesAnEmptyCorridorAtCruisingSpeedInTheMiddle) {
   EXPECT_TRUE(result.reached) << tell(result);
   EXPECT_LT(result.duration_s, 20.0 / 0.45 + 12.0);
   EXPECT_LT(most_off, 0.30);
+}
+
+TEST(TraverseCorridor, GlancesAtTheFloorThatComesNextEveryTwoThirdsOfAMetre) {
+  flat::Loop loop(plain_corridor(10.0), 3);
+  TraverseCorridor behaviour({}, loop.robot);
+  std::vector<double> at_m;
+  bool down = false;
+  (void)loop.run(behaviour, 100.0, [&](const Wish& wish) {
+    const bool looks_down = wish.tilt_rad < loop.robot.resting_tilt_rad - 0.05;
+    if (looks_down && !down && loop.world.pose().x_m > 2.0) at_m.push_back(loop.world.pose().x_m);
+    down = looks_down;
+  });
+  ASSERT_GT(at_m.size(), 8U);
+  for (std::size_t k = 1; k < at_m.size(); ++k) {
+    EXPECT_NEAR(at_m[k] - at_m[k - 1], 0.68, 0.08) << "glance " << k;
+  }
 }
 
 TEST(TraverseCorridor, ReturnsToTheFirstHeadingAfterABox) {

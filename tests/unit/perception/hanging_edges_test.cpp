@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <opencv2/imgproc.hpp>
 
 #include "striate/perception/perception.hpp"
@@ -73,6 +74,42 @@ TEST(HangingEdges, ABlankBoardIsSeenByItsEnds) {
   for (const double height_m : {1.1, 0.75, 0.5}) {
     EXPECT_GT(share_that_sees_board(2.2, height_m, true), 0.8) << height_m;
   }
+}
+
+/// Columns that an edge 2 m away fills, where stereo sees what the map says.
+int columns_with_edge(const DisparityMap& map) {
+  const HeadPose head{0.0, 0.0};
+  const ViewGeometry geometry(map, head, {});
+  HangingEdge hanging;
+  hanging.edge = {20, 99, std::vector<float>(80, 40.0F)};
+  hanging.disparity_px = map.focal_px * map.baseline_m / 2.0;
+  hanging.at_u_px = 20;
+  hanging.both_ends = true;
+  hanging.height_m = 0.8;
+  hanging.distance_m = 2.0;
+  ObstacleView view;
+  view.columns.resize(static_cast<std::size_t>(map.disparity_px.cols));
+  add_hanging_edges({hanging}, map, geometry, 1, view);
+  return static_cast<int>(std::ranges::count_if(
+      view.columns, [](const Column& column) { return column.hangs_from_m > 0.0; }));
+}
+
+TEST(HangingEdges, OneThatStereoSeesThroughOnBothSidesIsADrawing) {
+  DisparityMap map;
+  map.focal_px = 203.0;
+  map.centre_u_px = 79.5;
+  map.centre_v_px = 59.5;
+  map.baseline_m = 0.12;
+  map.disparity_px = cv::Mat1f(120, 160, kNoMatch);
+  map.confidence = cv::Mat1f(120, 160, 0.0F);
+  EXPECT_EQ(columns_with_edge(map), 80) << "nothing was matched there";
+  map.disparity_px.setTo(static_cast<float>(203.0 * 0.12 / 4.0));
+  map.confidence.setTo(0.5F);
+  EXPECT_EQ(columns_with_edge(map), 80) << "what is filled in says nothing";
+  map.confidence.setTo(0.9F);
+  EXPECT_EQ(columns_with_edge(map), 0) << "a wall 4 m away, above and below";
+  map.disparity_px.rowRange(0, 40).setTo(kNoMatch);
+  EXPECT_EQ(columns_with_edge(map), 80) << "a board may hide what is above it";
 }
 
 TEST(HangingEdges, AnEmptyRoomHasNone) {
