@@ -22,13 +22,14 @@ std::vector<fs::path> yaml_files_in(const fs::path& folder) {
 }
 
 /// The files of one kind by their names, and those whose name another file has taken.
-struct Found {
+struct FilesFound {
   std::map<std::string, fs::path> by_name;
   std::vector<fs::path> hidden;
 };
 
-Found files_of(const std::string& kind, const std::vector<config::ConfigurationFolder>& folders) {
-  Found found;
+FilesFound files_of(const std::string& kind,
+                    const std::vector<config::ConfigurationFolder>& folders) {
+  FilesFound found;
   for (const config::ConfigurationFolder& folder : folders) {
     for (const fs::path& file : yaml_files_in(folder.path / kind)) {
       const auto [taken, is_first] = found.by_name.emplace(file.stem().string(), file);
@@ -54,7 +55,7 @@ std::string configuration_report(const std::vector<config::ConfigurationFolder>&
   }
   std::vector<fs::path> hidden;
   for (const std::string& kind : config::folders_of(config::FileKind::any)) {
-    const Found found = files_of(kind, folders);
+    const FilesFound found = files_of(kind, folders);
     text += fmt::format("\n{}\n", kind);
     if (found.by_name.empty()) text += "  none\n";
     for (const auto& [name, file] : found.by_name) {

@@ -10,7 +10,7 @@
 namespace striate::app {
 namespace {
 
-std::size_t terminal_width() {
+std::size_t status_width() {
   winsize size{};
   if (ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 20) return size.ws_col;
   return 100;
@@ -33,7 +33,7 @@ bool StatusLine::due() const {
 }
 
 std::size_t StatusLine::columns() const {
-  return terminal_ ? terminal_width() - 1 : std::string::npos;
+  return terminal_ ? status_width() - 1 : std::string::npos;
 }
 
 void StatusLine::show(const std::string& text) {

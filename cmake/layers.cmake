@@ -64,31 +64,30 @@ function(striate_uses name)
   endif()
 endfunction()
 
-# striate_compile_together(<target> sources...): the files of a folder, so many at once. Reading headers takes
-# two thirds of a build by single files. So names in the anonymous namespaces of a folder must differ; the
-# `dev` preset goes without, and there every file says what it includes.
-set(STRIATE_FILES_AT_ONCE 10)
+# striate_compile_together(<target> sources...): up to so many files at once. Reading headers takes two thirds of a
+# build by single files. So names in the anonymous namespaces of a layer, or of a folder of tests, must differ;
+# the `dev` preset goes without, and there every file says what it includes.
+set(STRIATE_FILES_AT_ONCE 25)
 function(striate_compile_together target)
   if(CMAKE_DISABLE_PRECOMPILE_HEADERS)
     return()
   endif()
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
-  set(last_folder "")
+  set(together "")
   foreach(source IN LISTS ARGN)
-    get_filename_component(folder ${source} DIRECTORY)
-    if(NOT folder STREQUAL last_folder)
-      set(index 0)
-      set(last_folder ${folder})
-      file(RELATIVE_PATH group ${PROJECT_SOURCE_DIR} ${folder})
-      string(REPLACE "/" "_" group ${group})
-    endif()
     # Highway compiles such a file once for each instruction set: it stays alone.
     file(STRINGS ${source} targets REGEX "hwy/foreach_target.h" LIMIT_COUNT 1)
     if(NOT targets)
-      math(EXPR number "${index} / ${STRIATE_FILES_AT_ONCE}")
-      math(EXPR index "${index} + 1")
-      set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${group}_${number})
+      list(APPEND together ${source})
     endif()
+  endforeach()
+  list(LENGTH together count)
+  math(EXPR parts "(${count} + ${STRIATE_FILES_AT_ONCE} - 1) / ${STRIATE_FILES_AT_ONCE}")
+  set(index 0)
+  foreach(source IN LISTS together)
+    math(EXPR part "${index} * ${parts} / ${count}")  # of about one size
+    math(EXPR index "${index} + 1")
+    set_source_files_properties(${source} PROPERTIES UNITY_GROUP part_${part})
   endforeach()
 endfunction()
 

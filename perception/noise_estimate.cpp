@@ -11,7 +11,7 @@ namespace {
 /// Magnitude of a response: what the kernel has of one sign sums to 8
 constexpr int kLargest = 4 * 255 * 2;
 constexpr int kSaturated = kLargest + 1;  // what is black or white to the limit has lost its noise
-using Histogram = std::array<int, kSaturated + 1>;
+using GreyHistogram = std::array<int, kSaturated + 1>;
 
 /// Magnitudes of the responses in row v, without the first and the last pixel.
 void respond(const cv::Mat1b& grey, int v, std::vector<std::int16_t>& magnitudes) {
@@ -29,8 +29,8 @@ void respond(const cv::Mat1b& grey, int v, std::vector<std::int16_t>& magnitudes
 
 /// In four histograms by turns: neighbours often fall into the same bin, and would wait for each
 /// other.
-Histogram count(const cv::Mat1b& grey) {
-  std::array<Histogram, 4> turns{};
+GreyHistogram count(const cv::Mat1b& grey) {
+  std::array<GreyHistogram, 4> turns{};
   std::vector<std::int16_t> magnitudes(static_cast<std::size_t>(grey.cols) - 2);
   for (int v = 1; v + 1 < grey.rows; ++v) {
     respond(grey, v, magnitudes);
@@ -50,7 +50,7 @@ Histogram count(const cv::Mat1b& grey) {
 
 double estimate_noise(const cv::Mat1b& grey) {
   if (grey.rows < 3 || grey.cols < 3) return 0.0;
-  const Histogram histogram = count(grey);
+  const GreyHistogram histogram = count(grey);
   const int total = (grey.rows - 2) * (grey.cols - 2) - histogram[kSaturated];
   if (total == 0) return 0.0;
   int before = 0;

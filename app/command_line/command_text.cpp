@@ -32,7 +32,7 @@ void read_type(const std::string& type, OptionText& text) {
   }
 }
 
-OptionText describe(const CLI::Option& option, bool as_argument) {
+OptionText describe_option(const CLI::Option& option, bool as_argument) {
   OptionText text;
   if (as_argument) {
     text.names = {option.get_name(true, false)};
@@ -83,8 +83,8 @@ CommandText describe(const CLI::App& app) {
   read_about(app.get_description(), text);
   for (const CLI::Option* option : app.get_options()) {
     if (option->get_group().empty()) continue;
-    if (option->get_positional()) text.arguments.push_back(describe(*option, true));
-    if (option->nonpositional()) text.options.push_back(describe(*option, false));
+    if (option->get_positional()) text.arguments.push_back(describe_option(*option, true));
+    if (option->nonpositional()) text.options.push_back(describe_option(*option, false));
   }
   add_command_names(app, text);
   for (const CLI::App* command : commands_below(app)) text.commands.push_back(describe(*command));

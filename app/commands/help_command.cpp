@@ -22,7 +22,7 @@ struct HelpOptions {
 };
 
 /// What `COMMAND --help` prints.
-std::string help_of(const CLI::App& app, const std::vector<std::string>& names) {
+std::string help_of_command(const CLI::App& app, const std::vector<std::string>& names) {
   const CLI::App* command = &app;
   for (const std::string& name : names) {
     const CLI::App* below = command_below(*command, name);
@@ -37,7 +37,7 @@ std::string asked_for(const CLI::App& app, const HelpOptions& options) {
   if (options.man) return manual_page(describe(app), agent::software_name());
   if (options.completion == "bash") return bash_completion(describe(app));
   if (options.completion == "zsh") return zsh_completion(describe(app));
-  return help_of(app, options.command);
+  return help_of_command(app, options.command);
 }
 
 }  // namespace

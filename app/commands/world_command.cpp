@@ -30,7 +30,7 @@ struct WorldOptions {
 
 /// A way that is narrower than the robot is a mistake of the world's, one that is narrower than
 /// what drawn worlds have is worth a word.
-int describe(const std::string& file) {
+int describe_world(const std::string& file) {
   const simulator::World world = simulator::load_world(file);
   const simulator::FloorPlan plan = simulator::build_floor_plan(world);
   const simulator::Passage passage = simulator::widest_passage(world, plan);
@@ -123,7 +123,7 @@ void add_world_command(CLI::App& app, int& exit_code) {
       return;
     }
     find_world(options->world);
-    exit_code = describe(options->world);
+    exit_code = describe_world(options->world);
   });
 }
 

@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 using Grade = Finding::Grade;
 
-struct Kind {
+struct FolderKind {
   const char* folder;
   std::function<void(const std::string&)> read;
 };
@@ -34,7 +34,7 @@ std::vector<fs::path> yaml_files(const fs::path& folder) {
   return files;
 }
 
-void look_at_folder(const fs::path& folder, const Kind& kind, Findings& findings) {
+void look_at_folder(const fs::path& folder, const FolderKind& kind, Findings& findings) {
   const auto files = yaml_files(folder / kind.folder);
   int good = 0;
   for (const fs::path& file : files) {
@@ -55,7 +55,7 @@ void look_at_folder(const fs::path& folder, const Kind& kind, Findings& findings
   }
 }
 
-std::vector<Kind> kinds() {
+std::vector<FolderKind> kinds() {
   return {
       {"worlds", [](const std::string& file) { (void)simulator::load_world(file); }},
       {"tasks", [](const std::string& file) { (void)tasks::check_task(file, RobotDescription{}); }},
@@ -67,14 +67,14 @@ std::vector<Kind> kinds() {
 
 Findings look_at_configuration(const fs::path& folder) {
   Findings findings;
-  for (const Kind& kind : kinds()) look_at_folder(folder, kind, findings);
+  for (const FolderKind& kind : kinds()) look_at_folder(folder, kind, findings);
   return findings;
 }
 
 Findings look_at_configurations(const std::vector<config::ConfigurationFolder>& folders) {
   Findings findings;
   for (const config::ConfigurationFolder& folder : folders) {
-    for (const Kind& kind : kinds()) {
+    for (const FolderKind& kind : kinds()) {
       std::error_code none;
       if (fs::is_directory(folder.path / kind.folder, none)) {
         look_at_folder(folder.path, kind, findings);

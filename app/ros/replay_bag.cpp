@@ -22,7 +22,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-ordered_json number(double value) {
+ordered_json to_4_places(double value) {
   if (!std::isfinite(value)) return nullptr;
   return std::round(value * 1e4) / 1e4;
 }
@@ -40,14 +40,14 @@ ordered_json line_of(const agent::CycleTrace& trace) {
   for (const perception::Obstacle& one : trace.percept.obstacles) {
     nearest_m = std::min(nearest_m, one.distance_m);
   }
-  return {{"time_s", number(to_seconds(trace.senses.now))},
-          {"picture_s", number(to_seconds(trace.senses.stereo.stamp))},
-          {"x_m", number(odometry.pose.x_m)},
-          {"y_m", number(odometry.pose.y_m)},
-          {"heading_rad", number(odometry.pose.heading_rad)},
-          {"disparity_known", number(known_share(trace.percept.disparity))},
+  return {{"time_s", to_4_places(to_seconds(trace.senses.now))},
+          {"picture_s", to_4_places(to_seconds(trace.senses.stereo.stamp))},
+          {"x_m", to_4_places(odometry.pose.x_m)},
+          {"y_m", to_4_places(odometry.pose.y_m)},
+          {"heading_rad", to_4_places(odometry.pose.heading_rad)},
+          {"disparity_known", to_4_places(known_share(trace.percept.disparity))},
           {"obstacles", trace.percept.obstacles.size()},
-          {"nearest_m", number(nearest_m)},
+          {"nearest_m", to_4_places(nearest_m)},
           {"salient_regions", trace.percept.saliency.regions.size()}};
 }
 

@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 /// World with its baseline, then seed: the order of the table.
 using Key = std::pair<std::string, std::uint64_t>;
 
-struct Found {
+struct RunFound {
   agent::RunResult result;
   std::string file;
 };
@@ -39,7 +39,7 @@ agent::RunResult read_run(const fs::path& file) {
 }
 
 /// What must be the same for one figure: the same run, or another one of the same trial.
-void check_same_trial(const Found& first, const Found& other) {
+void check_same_trial(const RunFound& first, const RunFound& other) {
   if (first.result.task == other.result.task &&
       first.result.emergency_layer == other.result.emergency_layer) {
     return;
@@ -50,7 +50,7 @@ void check_same_trial(const Found& first, const Found& other) {
                   first.file, other.file));
 }
 
-using Runs = std::map<Key, Found>;
+using Runs = std::map<Key, RunFound>;
 
 /// Of a world in a trial: a row with more is a typing error
 constexpr std::uint64_t kMostRuns = 10000;
@@ -88,7 +88,7 @@ void take_folder(const std::string& folder, Runs& all, std::set<Key>& unfinished
   std::size_t count = 0;
   for (const auto& entry : fs::directory_iterator(folder + "/runs", code)) {
     if (entry.path().extension() != ".json") continue;
-    Found found{read_run(entry.path()), entry.path().string()};
+    RunFound found{read_run(entry.path()), entry.path().string()};
     ++count;
     const Key key{found.result.baseline.empty() ? found.result.world
                                                 : found.result.world + ", " + found.result.baseline,

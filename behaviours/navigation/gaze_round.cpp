@@ -6,9 +6,9 @@
 namespace striate::behaviours {
 namespace {
 
-constexpr int kSides = 2;            // left and right, before the salient regions
-constexpr double kThere_rad = 0.05;  // by hand, 3 degrees of the 43 of the view
-constexpr double kLongest_s = 3.0;   // by hand: a head that does not get there is not waited for
+constexpr int kSides = 2;                // left and right, before the salient regions
+constexpr double kGazeThere_rad = 0.05;  // by hand, 3 degrees of the 43 of the view
+constexpr double kLongestGaze_s = 3.0;  // by hand: a head that does not get there is not waited for
 
 }  // namespace
 
@@ -53,11 +53,11 @@ void GazeRound::follow_region(const memory::ShortTermMemory& memory) {
 bool GazeRound::tick(const memory::ShortTermMemory& memory, Wish& wish) {
   if (step_ >= kSides + regions_) return false;
   if (region_ != 0) follow_region(memory);
-  const bool there = std::abs(memory.head().pan_rad - pan_rad_) < kThere_rad;
+  const bool there = std::abs(memory.head().pan_rad - pan_rad_) < kGazeThere_rad;
   if (there && !there_) arrived_ = memory.now();
   there_ = there_ || there;
   const bool seen = there_ && to_seconds(memory.now() - arrived_) >= dwell_s_;
-  if (seen || to_seconds(memory.now() - aimed_) > kLongest_s + dwell_s_) {
+  if (seen || to_seconds(memory.now() - aimed_) > kLongestGaze_s + dwell_s_) {
     if (!aim_at_next(memory)) return false;
   }
   wish.pan_rad = pan_rad_;

@@ -23,7 +23,7 @@ constexpr double kTrajectoryServes_m =
 constexpr double kOnTrajectory_m = 1.0;  // by hand: four crumbs; so near is the same pass
 // By hand: half the body's deceleration for the last way, and the speed that it ends with.
 constexpr double kEasing_m_s2 = 0.25;
-constexpr double kLeast_m_s = 0.12;
+constexpr double kSlowestJourney_m_s = 0.12;
 
 /// The crumb where the robot is. Where it has passed more than once, the one next to `to`.
 std::size_t crumb_here(const memory::Trajectory& trajectory, Point2 here, std::size_t to) {
@@ -79,7 +79,7 @@ Point2 next_on_trajectory(const memory::ShortTermMemory& memory, Point2 goal) {
 
 Wish Journey::tick(const memory::ShortTermMemory& memory, Point2 goal, double cruise_m_s) {
   const double eased_m_s = std::sqrt(2.0 * kEasing_m_s2 * distance_to_m(memory, goal));
-  const double speed_m_s = std::min(cruise_m_s, std::max(kLeast_m_s, eased_m_s));
+  const double speed_m_s = std::min(cruise_m_s, std::max(kSlowestJourney_m_s, eased_m_s));
   return steer(memory, next_on_trajectory(memory, goal), speed_m_s);
 }
 

@@ -22,8 +22,8 @@ constexpr double kStaysOpen_s = 0.5;  // by hand, five cycles: a gap that flicke
 constexpr double kGrace_s = 0.5;      // by hand: after backing or waiting no arc is needed sooner
 // By hand: so long it wishes to move and stands; TraverseCorridor.BacksOutSoonWhereItIsHeld...
 constexpr double kHeld_s = 3.0;
-constexpr double kStands_m_s = 0.015;   // by hand: slower than this it stands
-constexpr double kStands_rad_s = 0.03;  // by hand: the same for turning
+constexpr double kStands_m_s = 0.015;          // by hand: slower than this it stands
+constexpr double kStandsTurning_rad_s = 0.03;  // by hand: the same for turning
 // Backing, by hand: slowly, since no eye looks there; the outline is tried 0.15 m on (1.5 s at
 // 0.1 m/s), more than it rolls on in a latency of 0.35 s and a stop (0.06 m).
 constexpr double kBackSpeed_m_s = 0.12;
@@ -43,8 +43,8 @@ constexpr Duration kJustFelt = std::chrono::milliseconds(350);
 // The limiter counts a remembered thing nearer than steering does, and has the last word: what
 // steering finds clear it may refuse for ever.
 bool PathFollower::is_held(const memory::ShortTermMemory& memory) {
-  const bool moves =
-      std::abs(memory.forward_m_s()) > kStands_m_s || std::abs(memory.turn_rad_s()) > kStands_rad_s;
+  const bool moves = std::abs(memory.forward_m_s()) > kStands_m_s ||
+                     std::abs(memory.turn_rad_s()) > kStandsTurning_rad_s;
   if (moves) free_to_move_at_ = memory.now();
   return to_seconds(memory.now() - free_to_move_at_) > kHeld_s;
 }

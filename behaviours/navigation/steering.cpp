@@ -19,7 +19,7 @@ constexpr double kNearestTarget_m = 0.1;  // by hand: nearer, the curvature woul
 // three quarters of the turn rate that the body allows.
 constexpr double kTurnInPlace_rad = 0.9;
 constexpr double kMostTurn_rad_s = 0.9;
-constexpr double kTurnGain_1_s = 1.2;
+constexpr double kSteeringGain_1_s = 1.2;
 // On the spot, by hand: more calmly; and only a turn round may also go the other way.
 constexpr double kMostTurnInPlace_rad_s = 0.7;
 constexpr double kTurnRound_rad = 2.0;
@@ -111,7 +111,7 @@ bool Steering::keeps_off_walls(const Pose2& robot, const Candidate& candidate,
 Drive Steering::turn_in_place(double angle_rad, const FloorField& field, const Pose2& robot,
                               double least_clearance_m) const {
   const double rate =
-      std::clamp(kTurnGain_1_s * angle_rad, -kMostTurnInPlace_rad_s, kMostTurnInPlace_rad_s);
+      std::clamp(kSteeringGain_1_s * angle_rad, -kMostTurnInPlace_rad_s, kMostTurnInPlace_rad_s);
   for (const double sign : {1.0, -1.0}) {
     const double clear_m = roll_out(field, robot, {0.0, sign * rate}, least_clearance_m);
     if (clear_m >= 0.0) return {true, 0.0, sign * rate, clear_m};

@@ -8,10 +8,10 @@ namespace {
 
 // "By hand": README.md, "Where the numbers come from"; tests: DriveStraight.* and BackUp.*.
 
-constexpr double kArrived_m = 0.01;      // by hand: a quarter of a second at the slowest
-constexpr double kFarther_m = 0.02;      // by hand: twice an arrival
-constexpr double kBlockedAfter_s = 5.0;  // by hand: no farther for so long
-constexpr double kWaitsAfter_s = 2.0;    // by hand: says so before it gives up
+constexpr double kLineArrived_m = 0.01;      // by hand: a quarter of a second at the slowest
+constexpr double kFarther_m = 0.02;          // by hand: twice an arrival
+constexpr double kLineBlockedAfter_s = 5.0;  // by hand: no farther for so long
+constexpr double kWaitsAfter_s = 2.0;        // by hand: says so before it gives up
 // By hand: eased with 60 % of the body's deceleration, to a speed below it by more than a cycle
 // takes off (0.03 m/s), but no slower than the last.
 constexpr double kLineEasing_m_s2 = 0.3;
@@ -35,12 +35,12 @@ Wish StraightLine::tick(const memory::ShortTermMemory& memory) {
   const double sign = speed_m_s_ < 0.0 ? -1.0 : 1.0;
   const double made_m = sign * moved.x_m;
   const double left_m = distance_m_ - made_m;
-  if (left_m <= kArrived_m) return final_wish(memory, Progress::succeeded, "the way is made");
+  if (left_m <= kLineArrived_m) return final_wish(memory, Progress::succeeded, "the way is made");
   if (made_m > farthest_m_ + kFarther_m) {
     farthest_m_ = made_m;
     farthest_at_ = memory.now();
   }
-  if (to_seconds(memory.now() - farthest_at_) > kBlockedAfter_s) {
+  if (to_seconds(memory.now() - farthest_at_) > kLineBlockedAfter_s) {
     return final_wish(memory, Progress::failed, "something is in the way");
   }
   Wish wish = standing_wish(memory, sign > 0.0 ? "drives straight" : "backs up");

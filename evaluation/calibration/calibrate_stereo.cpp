@@ -83,7 +83,7 @@ std::vector<BoardPair> without_wrong_looks(const std::vector<BoardPair>& pairs,
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     if (worse_px[i] <= limit_px) kept.push_back(i);
   }
-  return kept.size() < kFewestPairs ? pairs : chosen(pairs, kept);
+  return kept.size() < kFewestBoardPairs ? pairs : chosen(pairs, kept);
 }
 
 /// Both eyes together, from these pairs.

@@ -47,7 +47,7 @@ std::vector<PairError> left_out_of(const std::vector<BoardPair>& all,
 }
 
 void check_agreeing(const std::vector<BoardPair>& kept, const std::vector<BoardPair>& all) {
-  if (kept.size() >= kFewestPairs && 2 * kept.size() > all.size()) return;
+  if (kept.size() >= kFewestBoardPairs && 2 * kept.size() > all.size()) return;
   std::string others;
   for (const BoardPair& pair : all) {
     if (std::ranges::find(kept, pair.name, &BoardPair::name) != kept.end()) continue;
@@ -56,7 +56,7 @@ void check_agreeing(const std::vector<BoardPair>& kept, const std::vector<BoardP
   throw UserError(
       fmt::format("of {} pairs no more than {} agree on how the two cameras stand to each other; "
                   "at least {} are needed, and more than half. These do not: {}{}",
-                  all.size(), kept.size(), kFewestPairs, others, kMoment));
+                  all.size(), kept.size(), kFewestBoardPairs, others, kMoment));
 }
 
 void check_exact(const CalibrationReport& report) {
@@ -70,11 +70,11 @@ void check_exact(const CalibrationReport& report) {
 }
 
 void check_enough(const std::vector<BoardPair>& pairs) {
-  if (pairs.size() >= kFewestPairs) return;
+  if (pairs.size() >= kFewestBoardPairs) return;
   throw UserError(
       fmt::format("{} pairs show the whole board in both images, {} are needed\n"
                   "  hint: 15 to 30, near and far, tilted, and in all corners of the image",
-                  pairs.size(), kFewestPairs));
+                  pairs.size(), kFewestBoardPairs));
 }
 
 }  // namespace striate::evaluation

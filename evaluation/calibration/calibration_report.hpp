@@ -8,7 +8,7 @@
 namespace striate::evaluation {
 
 /// With fewer the lens and the eyes' turn cannot be told apart (ours)
-inline constexpr std::size_t kFewestPairs = 5;
+inline constexpr std::size_t kFewestBoardPairs = 5;
 
 /// How well one pair agrees with the calibration.
 struct PairError {

@@ -7,9 +7,9 @@
 namespace striate::memory {
 namespace {
 
-constexpr double kApart_m = 1.0;       // by hand: nearer, two say little about the heading
-constexpr double kGate = 13.8;         ///< chi squared of 99.9 %, two degrees of freedom
-constexpr double kLeastError_m = 0.1;  ///< by hand: twice the error of a landmark's middle
+constexpr double kApartOnMaps_m = 1.0;  // by hand: nearer, two say little about the heading
+constexpr double kGate = 13.8;          ///< chi squared of 99.9 %, two degrees of freedom
+constexpr double kLeastError_m = 0.1;   ///< by hand: twice the error of a landmark's middle
 
 bool agrees(const Pose2& origin, const OnBothMaps& one) {
   const Point2 at = transform(origin, Point2{one.theirs.x_m, one.theirs.y_m});
@@ -50,7 +50,7 @@ std::optional<Pose2> align_maps(const std::vector<OnBothMaps>& common) {
   for (std::size_t a = 0; a < common.size(); ++a) {
     for (std::size_t b = a + 1; b < common.size(); ++b) {
       if (std::hypot(common[a].ours.x_m - common[b].ours.x_m,
-                     common[a].ours.y_m - common[b].ours.y_m) < kApart_m) {
+                     common[a].ours.y_m - common[b].ours.y_m) < kApartOnMaps_m) {
         continue;
       }
       const Pose2 origin = best_motion({common[a], common[b]});

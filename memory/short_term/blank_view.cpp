@@ -15,7 +15,7 @@ constexpr double kLeastFloor = 0.05;  // by hand: share of columns that see floo
 constexpr double kLeastTrust = 0.16;  // by hand: confidence in things, mean over columns
 constexpr double kNoisy = 1.0;        // by hand, grey levels; from here on noise alone matches
 // While the robot drives where it looks, the pan is 0.16 rad at most (path_follower.cpp).
-constexpr double kAhead_rad = 0.25;
+constexpr double kAheadOfView_rad = 0.25;
 constexpr int kPatience = 6;  // by hand, images: some may be blurred
 constexpr int kSurely = 2;    // by hand: so many does one count in which hardly anything is known
 constexpr double kMostPan_rad = 0.8;  // by hand: farther round lies the wall that is driven along
@@ -55,7 +55,7 @@ int blankness(const perception::Percept& percept, double pan_rad) {
   if (known.anything < kLeastKnown) return kSurely;
   const bool noise_alone =
       percept.noise_level > kNoisy && known.floor < kLeastFloor && known.trust < kLeastTrust;
-  return noise_alone && std::abs(pan_rad) < kAhead_rad ? 1 : 0;
+  return noise_alone && std::abs(pan_rad) < kAheadOfView_rad ? 1 : 0;
 }
 
 }  // namespace

@@ -45,7 +45,7 @@ struct Depth {
   std::vector<UprightPlane> planes;  ///< vanishing points in the image that edges are found in
 };
 
-struct Candidate {
+struct CorridorGuess {
   VanishingPoint point;
   double heading_rad = 0.0;
   Walls walls;
@@ -76,7 +76,7 @@ DisparityMap camera_for(const DisparityMap& map, cv::Size from, cv::Size to) {
 /// stereo's planes count by themselves, less the more the camera looks away from the corridor's
 /// axis (`aslant`: 0 along it, 1 at the widest angle). Weights fitted to simulated images of
 /// known heading (tests/evaluation/obstacle_table): above 0.5 the heading was within 2 degrees.
-double confidence_of(const Candidate& best, double runner_up_score, double aslant) {
+double confidence_of(const CorridorGuess& best, double runner_up_score, double aslant) {
   const double lines_px = best.point.lines_left + best.point.lines_right;
   const double alone = std::clamp((best.score - runner_up_score) / kClearMargin, kLeastAlone, 1.0);
   const double edges = (1.0 - std::exp2(-lines_px / kHalfBelief_px)) *
@@ -87,20 +87,20 @@ double confidence_of(const Candidate& best, double runner_up_score, double aslan
   return 1.0 - (1.0 - kMostOfEdges * edges * alone) * (1.0 - kMostOfPlanes * planes);
 }
 
-std::vector<Candidate> list_candidates(const cv::Mat1b& grey, const DisparityMap& camera,
-                                       const HeadPose& head, const Depth& depth,
-                                       const CorridorSettings& settings) {
+std::vector<CorridorGuess> list_candidates(const cv::Mat1b& grey, const DisparityMap& camera,
+                                           const HeadPose& head, const Depth& depth,
+                                           const CorridorSettings& settings) {
   VanishingSearch search;
   search.horizon_v_px = camera.centre_v_px + camera.focal_px * std::tan(head.tilt_rad);
   const double reach_px = camera.focal_px * std::tan(settings.widest_rad + kBeyond_rad);
   search.from_u_px = camera.centre_u_px - reach_px;
   search.to_u_px = camera.centre_u_px + reach_px;
   for (const UprightPlane& plane : depth.planes) search.also_u_px.push_back(plane.vanishing_u_px);
-  std::vector<Candidate> candidates;
+  std::vector<CorridorGuess> candidates;
   double best_edges = 1.0;
   double best_walls = 1.0;
   for (const VanishingPoint& point : find_vanishing_points(find_edge_points(grey), search)) {
-    Candidate c;
+    CorridorGuess c;
     c.point = point;
     c.heading_rad = heading_of(point, camera, head);
     if (std::abs(wrap_angle(c.heading_rad - head.pan_rad)) > settings.widest_rad + kBeyond_rad) {
@@ -116,12 +116,13 @@ std::vector<Candidate> list_candidates(const cv::Mat1b& grey, const DisparityMap
     best_walls = std::max(best_walls, c.walls.structure());
     candidates.push_back(c);
   }
-  for (Candidate& c : candidates) {
+  for (CorridorGuess& c : candidates) {
     c.score = c.point.score / best_edges + kWallsCount * c.walls.structure() / best_walls +
               kPlanesCount * c.planes;
   }
-  std::stable_sort(candidates.begin(), candidates.end(),
-                   [](const Candidate& a, const Candidate& b) { return a.score > b.score; });
+  std::stable_sort(
+      candidates.begin(), candidates.end(),
+      [](const CorridorGuess& a, const CorridorGuess& b) { return a.score > b.score; });
   return candidates;
 }
 
@@ -144,9 +145,10 @@ CorridorView view_corridor(const cv::Mat1b& grey, const DisparityMap& map, const
       plane.vanishing_u_px = (plane.vanishing_u_px + 0.5) * scale - 0.5;
     }
   }
-  const std::vector<Candidate> candidates = list_candidates(grey, camera, head, depth, settings);
+  const std::vector<CorridorGuess> candidates =
+      list_candidates(grey, camera, head, depth, settings);
   if (candidates.empty()) return view;
-  const Candidate& best = candidates.front();
+  const CorridorGuess& best = candidates.front();
   const double aslant = wrap_angle(best.heading_rad - head.pan_rad) / settings.widest_rad;
   view.confidence = confidence_of(best, candidates.size() > 1 ? candidates[1].score : 0.0, aslant);
   view.valid = view.confidence >= settings.least_confidence && std::abs(aslant) <= 1.0;

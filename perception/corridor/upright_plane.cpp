@@ -34,7 +34,7 @@ constexpr double kFarthestLevel_px = 0.5;
 /// A twentieth of the inliers at either end is not counted in its width: chance hits (ours)
 constexpr std::size_t kTrimmedPart = 20;
 
-struct Sample {
+struct LevelSample {
   double u = 0.0;
   double level = 0.0;
 };
@@ -45,8 +45,8 @@ struct Fit {
   int inliers = 0;
 };
 
-std::vector<Sample> take_samples(const DisparityMap& map, const ViewGeometry& geometry) {
-  std::vector<Sample> samples;
+std::vector<LevelSample> take_samples(const DisparityMap& map, const ViewGeometry& geometry) {
+  std::vector<LevelSample> samples;
   const double least = geometry.focal_baseline() / kFarthest_m;
   for (int v = 2; v < map.disparity_px.rows; v += kEvery) {
     const double factor = geometry.level_factor(v);
@@ -61,7 +61,7 @@ std::vector<Sample> take_samples(const DisparityMap& map, const ViewGeometry& ge
   return samples;
 }
 
-bool lies_on(const Fit& fit, const Sample& s) {
+bool lies_on(const Fit& fit, const LevelSample& s) {
   return std::abs(fit.at_zero + fit.slope * s.u - s.level) < kTolerance_px;
 }
 
@@ -73,32 +73,33 @@ std::uint32_t draw(std::uint32_t counter) {
   return x ^ (x >> 16);
 }
 
-Fit best_fit(const std::vector<Sample>& samples, double middle_u_px, double reach_px) {
+Fit best_fit(const std::vector<LevelSample>& samples, double middle_u_px, double reach_px) {
   Fit best;
   const auto n = static_cast<std::uint32_t>(samples.size());
   for (std::uint32_t i = 0; i < kTries; ++i) {
-    const Sample& a = samples[draw(2 * i) % n];
-    const Sample& b = samples[draw(2 * i + 1) % n];
+    const LevelSample& a = samples[draw(2 * i) % n];
+    const LevelSample& b = samples[draw(2 * i + 1) % n];
     if (std::abs(a.u - b.u) < kLeastWidth_px) continue;
     Fit fit;
     fit.slope = (b.level - a.level) / (b.u - a.u);
     fit.at_zero = a.level - fit.slope * a.u;
     if (std::abs(fit.at_zero + fit.slope * middle_u_px) > reach_px * std::abs(fit.slope)) continue;
-    for (const Sample& s : samples) fit.inliers += lies_on(fit, s);
+    for (const LevelSample& s : samples) fit.inliers += lies_on(fit, s);
     if (fit.inliers > best.inliers) best = fit;
   }
   return best;
 }
 
 /// Least squares through the inliers; says over which columns they reach.
-Fit polish(const Fit& rough, const std::vector<Sample>& samples, double& from_u, double& to_u) {
+Fit polish(const Fit& rough, const std::vector<LevelSample>& samples, double& from_u,
+           double& to_u) {
   double n = 0.0;
   double su = 0.0;
   double sl = 0.0;
   double suu = 0.0;
   double sul = 0.0;
   std::vector<double> columns;
-  for (const Sample& s : samples) {
+  for (const LevelSample& s : samples) {
     if (!lies_on(rough, s)) continue;
     n += 1.0;
     su += s.u;
@@ -124,7 +125,7 @@ Fit polish(const Fit& rough, const std::vector<Sample>& samples, double& from_u,
 std::vector<UprightPlane> find_upright_planes(const DisparityMap& map, const ViewGeometry& geometry,
                                               double reach_px) {
   std::vector<UprightPlane> planes;
-  std::vector<Sample> samples = take_samples(map, geometry);
+  std::vector<LevelSample> samples = take_samples(map, geometry);
   const auto total = static_cast<double>(samples.size());
   while (planes.size() < kMostPlanes && samples.size() > kFewestSamples) {
     const Fit rough = best_fit(samples, geometry.centre_u_px(), reach_px);
@@ -132,7 +133,7 @@ std::vector<UprightPlane> find_upright_planes(const DisparityMap& map, const Vie
     double from_u = 0.0;
     double to_u = 0.0;
     const Fit fit = polish(rough, samples, from_u, to_u);
-    std::erase_if(samples, [&](const Sample& s) { return lies_on(rough, s); });
+    std::erase_if(samples, [&](const LevelSample& s) { return lies_on(rough, s); });
     if (to_u - from_u < kLeastWidth_px || fit.slope == 0.0) continue;
     const Point2 a =
         geometry.level_point(from_u, std::max(kFarthestLevel_px, fit.at_zero + fit.slope * from_u));

@@ -18,7 +18,8 @@ constexpr double kProfileHighest_m =
     2.6;  // just below the ceiling of the shipped corridors (2.7 m)
 /// Beyond, one pixel of disparity is more than 1.7 m (Z^2 / f B at width 160)
 constexpr double kProfileFarthest_m = 6.5;
-constexpr double kNearest_m = 0.25;  // no wall passes through the robot, whose radius is 0.25 m
+constexpr double kNearestProfile_m =
+    0.25;  // no wall passes through the robot, whose radius is 0.25 m
 /// The distance error of one px 1.1 m away (Z^2 / f B at width 160)
 constexpr double kSideBin_m = 0.05;
 /// Walls of a hall 8 m wide; farther ones are not looked for (ours)
@@ -30,7 +31,7 @@ constexpr double kUpCell_m = 0.3;  // upwards; a height error at 6 m, where one 
 constexpr int kAlongCells = 32;    // 8 m: beyond kProfileFarthest_m nothing is collected
 constexpr int kUpCells = 9;        // 2.7 m: up to above kProfileHighest_m
 /// Bins to either side that are the same wall: 0.25 m in all, a depth error at 2.5 m
-constexpr int kWindow = 2;
+constexpr int kProfileWindow = 2;
 /// Cells of 0.075 m2: about 1 m2 of wall, more than a box or a person shows (ours)
 constexpr double kLeastStructure = 14.0;
 constexpr double kProfileLeastAlong_m = 1.0;  // longer than a chair or a person is deep (ours)
@@ -42,8 +43,8 @@ using Profile = std::array<Cells, kSideBins>;
 
 Cells window_cells(const Profile& profile, int bin) {
   Cells cells;
-  const int last = std::min(kSideBins - 1, bin + kWindow);
-  for (int b = std::max(0, bin - kWindow); b <= last; ++b) cells |= profile[b];
+  const int last = std::min(kSideBins - 1, bin + kProfileWindow);
+  for (int b = std::max(0, bin - kProfileWindow); b <= last; ++b) cells |= profile[b];
   return cells;
 }
 
@@ -86,7 +87,7 @@ Wall strongest_wall(const Profile& profile, const std::vector<float>& sides) {
   double sum = 0.0;
   int count = 0;
   for (const float side_m : sides) {
-    if (std::abs(side_m - middle_m) > (kWindow + 0.5) * kSideBin_m) continue;
+    if (std::abs(side_m - middle_m) > (kProfileWindow + 0.5) * kSideBin_m) continue;
     sum += side_m;
     ++count;
   }
@@ -122,7 +123,8 @@ Walls find_walls(const std::vector<SpacePoint>& points, double heading_rad) {
     const double side_m = c * p.y_m - s * p.x_m;
     const double distance_m = std::abs(side_m);
     // Said so that what is no number is no wall.
-    if (!(along_m >= 0.0 && distance_m >= kNearest_m && distance_m < kFarthestSide_m)) continue;
+    if (!(along_m >= 0.0 && distance_m >= kNearestProfile_m && distance_m < kFarthestSide_m))
+      continue;
     const int along = cut_within(along_m / kAlongCell_m, 0, kAlongCells);
     const int up = cut_within(p.z_m / kUpCell_m, -1, kUpCells);
     if (along >= kAlongCells || up < 0 || up >= kUpCells) continue;

@@ -17,7 +17,7 @@ constexpr double kPixelsPerSize = 2.0;
 /// Window pixels before the place: 5.35 px of radius, and the taps of sigma 1.25 px
 constexpr int kBeforeKeypoint_px = 11;
 constexpr int kReach_px = kWindowSide_px - kBeforeKeypoint_px;  ///< more than behind it
-constexpr int kParts = 16;           ///< of a pixel: places are rounded by at most 1/32 px
+constexpr int kPartsOfPixel = 16;    ///< of a pixel: places are rounded by at most 1/32 px
 constexpr double kTapSum = 32768.0;  ///< 1 in fixed point: 16 bits hold a signed product's 15
 
 struct CircleShape {
@@ -28,12 +28,12 @@ struct CircleShape {
 constexpr CircleShape kCircles[] = {
     {1, 0.0, 0.84, 0.0}, {6, 2.08, 0.91, 0.0}, {8, 4.05, 1.19, 0.5}, {10, 5.35, 1.25, 0.0}};
 
-V1Settings v1_settings() {
+V1Settings envelope_v1() {
   return {3.0, 0.3, 1.0, EvenMean::envelope};
 }
 
 int parts_of(double at_px) {
-  return static_cast<int>(at_px * kParts + 0.5);
+  return static_cast<int>(at_px * kPartsOfPixel + 0.5);
 }
 
 /// Of the middle tap: beyond 2.65 sigma nothing is pooled, exp(-2.65^2 / 2) = 0.03.
@@ -42,7 +42,7 @@ constexpr double kLeastTap = 0.03;
 /// Gaussian taps around a place so many parts of a pixel behind the middle left one.
 std::vector<std::int16_t> gaussian_taps(int taps, double sigma_px, int part) {
   const int middle = taps / 2 - 1;
-  const double behind = static_cast<double>(part) / kParts;
+  const double behind = static_cast<double>(part) / kPartsOfPixel;
   std::vector<double> row(static_cast<std::size_t>(taps));
   double sum = 0.0;
   for (int k = 0; k < taps; ++k) {
@@ -93,7 +93,7 @@ void check(const DescribedFrame& frame) {
 }
 
 /// Angle as steps of pi / 8 and 1/32768 of the next; responses as large as 14 bits can hold.
-pooling_kernels::Turn turn_of(double angle_rad, std::int16_t largest) {
+pooling_kernels::Turn turn_of_box(double angle_rad, std::int16_t largest) {
   const double steps = angle_rad * kOrientations / std::numbers::pi;
   const double within = steps - kPooledChannels * std::floor(steps / kPooledChannels);
   pooling_kernels::Turn turn;
@@ -114,7 +114,7 @@ DominantAngles angles_at(const DescribedPlace& place) {
 }
 
 /// The box around the frames of one level.
-struct Box {
+struct PartBox {
   double left = std::numeric_limits<double>::infinity(), top = left;
   double right = -left, bottom = -left;
 
@@ -128,7 +128,7 @@ struct Box {
 }  // namespace
 
 StriateDescriber::StriateDescriber(const StriateSettings& settings)
-    : settings_(settings), scales_(v1_settings(), kReach_px) {
+    : settings_(settings), scales_(envelope_v1(), kReach_px) {
   turned_window_.resize(pooling_kernels::kWindowValues);
   for (const CircleShape& shape : kCircles) {
     Circle circle;
@@ -138,7 +138,7 @@ StriateDescriber::StriateDescriber(const StriateSettings& settings)
       circle.points.emplace_back(shape.radius_px * std::cos(angle),
                                  shape.radius_px * std::sin(angle));
     }
-    for (int part = 0; part < kParts; ++part) {
+    for (int part = 0; part < kPartsOfPixel; ++part) {
       Taps& row = circle.rows.emplace_back();
       row.taps = gaussian_taps(taps, shape.sigma_px, part);
       row.first_px = 1 - taps / 2 + cut_zeros(row.taps);
@@ -162,7 +162,7 @@ void StriateDescriber::visit(std::span<const DescribedFrame> frames, See see) {
   if (frames.empty()) return;
   const auto [lowest, highest] = std::ranges::minmax(levels_);
   for (int level = lowest; level <= highest; ++level) {
-    Box box;
+    PartBox box;
     for (std::size_t k = 0; k < frames.size(); ++k) {
       if (levels_[k] == level) box.add(frames[k]);
     }
@@ -187,7 +187,7 @@ void StriateDescriber::visit(std::span<const DescribedFrame> frames, See see) {
 
 void StriateDescriber::pool_place(const DescribedPlace& place, double angle_rad,
                                   PooledResponses& out) {
-  pooling_kernels::turn_window(place.window, turn_of(angle_rad, place.largest),
+  pooling_kernels::turn_window(place.window, turn_of_box(angle_rad, place.largest),
                                turned_window_.data());
   std::array<pooling_kernels::Pool, kPooledPoints> pools;
   const double along = std::cos(angle_rad), across = std::sin(angle_rad);
@@ -197,9 +197,10 @@ void StriateDescriber::pool_place(const DescribedPlace& place, double angle_rad,
       // In whole parts of a pixel; the window begins at 0.
       const int u = parts_of(place.u + along * point.x - across * point.y);
       const int v = parts_of(place.v + across * point.x + along * point.y);
-      const Taps& columns = circle.rows[static_cast<std::size_t>(u % kParts)];
-      const Taps& rows = circle.rows[static_cast<std::size_t>(v % kParts)];
-      pools[at++] = {(v / kParts + rows.first_px) * kWindowSide_px + u / kParts + columns.first_px,
+      const Taps& columns = circle.rows[static_cast<std::size_t>(u % kPartsOfPixel)];
+      const Taps& rows = circle.rows[static_cast<std::size_t>(v % kPartsOfPixel)];
+      pools[at++] = {(v / kPartsOfPixel + rows.first_px) * kWindowSide_px + u / kPartsOfPixel +
+                         columns.first_px,
                      static_cast<int>(columns.taps.size()), static_cast<int>(rows.taps.size()),
                      columns.taps.data(), rows.taps.data()};
     }

@@ -9,7 +9,7 @@ namespace striate::perception {
 namespace {
 
 /// Half a V1 kernel (15 px at lambda = 3): a smaller image shows it nothing
-constexpr int kSmallestSide_px = 8;
+constexpr int kSmallestScaleSide_px = 8;
 /// One octave finer than the image: an enlargement holds nothing more
 constexpr int kFinestLevel = -V1Scales::kPerOctave;
 
@@ -24,7 +24,7 @@ void V1Scales::prepare(const cv::Mat1b& grey) {
     const auto last = static_cast<std::size_t>(halved_ - 1);
     // An odd last row or column is left out: pixels must stay where they are.
     const cv::Size half(halvings_[last].cols / 2, halvings_[last].rows / 2);
-    if (std::min(half.width, half.height) < kSmallestSide_px) return;
+    if (std::min(half.width, half.height) < kSmallestScaleSide_px) return;
     if (halvings_.size() == last + 1) halvings_.emplace_back();
     cv::resize(halvings_[last](cv::Rect({0, 0}, half * 2)), halvings_[last + 1], half, 0, 0,
                cv::INTER_AREA);

@@ -12,7 +12,7 @@
 namespace striate::perception {
 namespace {
 
-V1Settings v1_settings(const LineSettings& settings) {
+V1Settings line_v1(const LineSettings& settings) {
   if (!(settings.wavelength_px >= 3.0 && settings.wavelength_px <= 12.0)) {
     throw UserError("lines: the wavelength must be 3 .. 12 px");
   }
@@ -60,7 +60,7 @@ std::optional<Crossing> crossing_at(const Three& crossing, const Three& extreme)
 }  // namespace
 
 LineFinder::LineFinder(const LineSettings& settings)
-    : settings_(settings), cells_(v1_settings(settings)) {
+    : settings_(settings), cells_(line_v1(settings)) {
   for (std::size_t i = 0; i < kOrientations; ++i) {
     const double theta = static_cast<double>(i) * std::numbers::pi / kOrientations;
     cos_[i] = std::cos(theta);

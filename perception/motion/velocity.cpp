@@ -14,7 +14,7 @@ constexpr std::size_t kFewestForVelocity =
 constexpr std::size_t kMostPixels = 120;
 /// Best difference over the median of all; above, no velocity stands out (ours)
 constexpr double kClear = 0.8;
-constexpr double kTrusted = 0.3;  ///< confidence; as MotionSettings::trusted
+constexpr double kTrustedMover = 0.3;  ///< confidence; as MotionSettings::trusted
 /// Share: a disparity may differ from the best velocity's by this; one px at 3.7 m
 constexpr double kNearRange = 0.15;
 /// m/s; 0.2 m in half a second, one px of disparity at 2.2 m
@@ -125,7 +125,7 @@ std::optional<Point2> find_velocity(const std::vector<ThingPixel>& pixels, const
     if (!place) continue;
     const cv::Point at = Search::pixel_of(*place);
     const float d = before.disparity.disparity_px(at);
-    if (!std::isfinite(d) || before.disparity.confidence(at) < kTrusted ||
+    if (!std::isfinite(d) || before.disparity.confidence(at) < kTrustedMover ||
         std::abs(d - place->d_px) > kNearRange * place->d_px) {
       continue;
     }

@@ -8,15 +8,15 @@
 namespace striate::perception {
 namespace {
 
-/// Level disparity; about the error of a trusted one, which kWindow bins take up
+/// Level disparity; about the error of a trusted one, which kScanWindow bins take up
 constexpr double kBin_px = 0.25;
 /// Level disparities up to 96 px: 0.25 m with the shipped camera at width 160
-constexpr int kBins = 384;
+constexpr int kRowBins = 384;
 /// Columns to either side that lend support: 5 are 2.5 cm wide at 1 m (Z / f each), 0.1 m at 4 m
-constexpr int kPool = 2;
+constexpr int kPooledColumns = 2;
 constexpr double kPoolFilled = 0.6;  // share of the pooled columns that must show it: three of five
 /// Bins to either side that count as the same distance: 0.75 px, a disparity right within 1 px
-constexpr int kWindow = 3;
+constexpr int kScanWindow = 3;
 // Level disparity of a plane changes by baseline / lateral distance per column: 0.25 px is a wall
 // half a metre beside the camera.
 /// px a column, baseline / lateral distance: a wall half a metre beside the camera (0.12 / 0.5)
@@ -38,34 +38,34 @@ double needed_support(double level_px, const ViewGeometry& geometry,
                       const ObstacleSettings& settings) {
   const double px_per_m = geometry.focal_px() * level_px / geometry.focal_baseline();
   return std::max(settings.smallest_px,
-                  kPoolFilled * (2 * kPool + 1) * settings.smallest_m * px_per_m);
+                  kPoolFilled * (2 * kPooledColumns + 1) * settings.smallest_m * px_per_m);
 }
 
-using Histogram = std::vector<float>;  // one column's weight per bin
+using RowHistogram = std::vector<float>;  // one column's weight per bin
 
-void add_column(const JudgedMap& judged, int u, Histogram& sum, float sign) {
+void add_column(const JudgedMap& judged, int u, RowHistogram& sum, float sign) {
   for (int v = 0; v < judged.kind.rows; ++v) {
     if (static_cast<PixelKind>(judged.kind(v, u)) != PixelKind::standing) continue;
-    const int bin = cut_within(judged.level(v, u) / kBin_px, 0, kBins);
-    if (bin < kBins) sum[bin] += sign * judged.weight(v, u);
+    const int bin = cut_within(judged.level(v, u) / kBin_px, 0, kRowBins);
+    if (bin < kRowBins) sum[bin] += sign * judged.weight(v, u);
   }
 }
 
-/// Sum of the bins within kWindow of `bin`.
-double window_sum(const Histogram& histogram, int bin) {
+/// Sum of the bins within kScanWindow of `bin`.
+double window_sum(const RowHistogram& histogram, int bin) {
   double sum = 0.0;
-  const int last = std::min(kBins - 1, bin + kWindow);
-  for (int b = std::max(0, bin - kWindow); b <= last; ++b) sum += histogram[b];
+  const int last = std::min(kRowBins - 1, bin + kScanWindow);
+  for (int b = std::max(0, bin - kScanWindow); b <= last; ++b) sum += histogram[b];
   return sum;
 }
 
 /// The nearest bin with enough support, then uphill to the middle of that support; -1: none.
-int nearest_peak(const Histogram& histogram, const std::vector<double>& needed, int first_bin) {
-  for (int bin = kBins - 1; bin >= first_bin; --bin) {
+int nearest_peak(const RowHistogram& histogram, const std::vector<double>& needed, int first_bin) {
+  for (int bin = kRowBins - 1; bin >= first_bin; --bin) {
     double best = window_sum(histogram, bin);
     if (best < needed[bin]) continue;
     int peak = bin;
-    for (int b = bin - 1; b >= std::max(first_bin, bin - 2 * kWindow); --b) {
+    for (int b = bin - 1; b >= std::max(first_bin, bin - 2 * kScanWindow); --b) {
       const double sum = window_sum(histogram, b);
       if (sum > best) {
         best = sum;
@@ -88,7 +88,7 @@ Standing measure(const JudgedMap& judged, int from, int to, int peak) {
     for (int v = 0; v < judged.kind.rows; ++v) {
       if (static_cast<PixelKind>(judged.kind(v, u)) != PixelKind::standing) continue;
       const double level = judged.level(v, u);
-      if (std::abs(level - middle) > (kWindow + 1) * kBin_px) continue;
+      if (std::abs(level - middle) > (kScanWindow + 1) * kBin_px) continue;
       const double w = judged.weight(v, u);
       weight += w;
       found.level_px += w * level;
@@ -145,17 +145,17 @@ std::vector<Standing> find_standing(const JudgedMap& judged, const ViewGeometry&
                                     const ObstacleSettings& settings) {
   const int width = judged.kind.cols;
   std::vector<Standing> found(width);
-  std::vector<double> needed(kBins);
-  for (int b = 0; b < kBins; ++b) {
+  std::vector<double> needed(kRowBins);
+  for (int b = 0; b < kRowBins; ++b) {
     needed[b] = needed_support((b + 0.5) * kBin_px, geometry, settings);
   }
   const int first_bin =
-      cut_within(geometry.focal_baseline() / settings.farthest_m / kBin_px, 1, kBins);
-  Histogram pooled(kBins, 0.0F);
-  for (int u = 0; u < std::min(kPool, width); ++u) add_column(judged, u, pooled, 1.0F);
+      cut_within(geometry.focal_baseline() / settings.farthest_m / kBin_px, 1, kRowBins);
+  RowHistogram pooled(kRowBins, 0.0F);
+  for (int u = 0; u < std::min(kPooledColumns, width); ++u) add_column(judged, u, pooled, 1.0F);
   for (int u = 0; u < width; ++u) {
-    if (u + kPool < width) add_column(judged, u + kPool, pooled, 1.0F);
-    if (u - kPool - 1 >= 0) add_column(judged, u - kPool - 1, pooled, -1.0F);
+    if (u + kPooledColumns < width) add_column(judged, u + kPooledColumns, pooled, 1.0F);
+    if (u - kPooledColumns - 1 >= 0) add_column(judged, u - kPooledColumns - 1, pooled, -1.0F);
     const int peak = nearest_peak(pooled, needed, first_bin);
     if (peak < 0) continue;
     found[u] = measure(judged, u, u, peak);

@@ -9,7 +9,7 @@ namespace {
 /// Columns without a hit inside one blob; the pool of find_standing() is as wide
 constexpr int kWidestHole = 2;
 /// Level disparity may change so much from column to column: kWindow of column_scan.cpp
-constexpr double kStep_px = 0.8;
+constexpr double kBlobStep_px = 0.8;
 /// Or by this share of itself, 6 cm at 1 m: a box's side seen at a slant (ours)
 constexpr double kStepShare = 0.06;
 /// And by this much over the whole blob: what is deeper is two things or a wall (ours)
@@ -17,13 +17,13 @@ constexpr double kDepthShare = 0.25;
 constexpr int kFewestColumns = 2;  // columns; a single one has but the support of its neighbours
 
 /// Depth over a blob, px of level disparity: two steps
-constexpr double kDepth_px = 2.0 * kStep_px;
+constexpr double kDepth_px = 2.0 * kBlobStep_px;
 
 double length(Point2 p) {
   return std::hypot(p.x_m, p.y_m);
 }
 
-Obstacle describe(const std::vector<ColumnHit>& hits, int from, int to) {
+Obstacle describe_blob(const std::vector<ColumnHit>& hits, int from, int to) {
   Obstacle o;
   o.from_u_px = from;
   o.to_u_px = to;
@@ -53,13 +53,13 @@ std::vector<Obstacle> join_columns(const std::vector<ColumnHit>& hits) {
   std::vector<Obstacle> obstacles;
   const int width = static_cast<int>(hits.size());
   const auto near_enough = [&](const ColumnHit& a, const ColumnHit& b) {
-    return std::abs(a.level_px - b.level_px) <= std::max(kStep_px, kStepShare * a.level_px);
+    return std::abs(a.level_px - b.level_px) <= std::max(kBlobStep_px, kStepShare * a.level_px);
   };
   int first = -1;
   int last = -1;
   const auto close_blob = [&] {
     if (first >= 0 && last - first + 1 >= kFewestColumns) {
-      obstacles.push_back(describe(hits, first, last));
+      obstacles.push_back(describe_blob(hits, first, last));
     }
     first = -1;
   };

@@ -44,7 +44,7 @@ struct Blob {
   double level_px = 0.0;  ///< level disparity of its nearest part
 };
 
-Obstacle describe(const Blob& blob, const ViewGeometry& geometry) {
+Obstacle describe_paper_blob(const Blob& blob, const ViewGeometry& geometry) {
   const Point2 left = geometry.level_point(blob.box.x, blob.level_px);
   const Point2 right = geometry.level_point(blob.box.x + blob.box.width - 1.0, blob.level_px);
   const Point2 middle{0.5 * (left.x_m + right.x_m), 0.5 * (left.y_m + right.y_m)};
@@ -84,7 +84,7 @@ std::vector<Column> free_columns(int width, const ViewGeometry& geometry, double
 }
 
 /// Where the line of sight over the blob's top meets the floor again; kNothing_m: nowhere.
-double sight_over_top_m(const ViewGeometry& geometry, const Blob& blob, int u) {
+double sight_over_blob_m(const ViewGeometry& geometry, const Blob& blob, int u) {
   const double row = blob.box.y - 1.0;
   const double d = geometry.floor_disparity_px(row);
   if (d <= 0.0) return kNothing_m;
@@ -104,7 +104,7 @@ void block_columns(std::vector<Column>& columns, const DisparityMap& map,
     columns[u].obstacle_m = distance_m;
     columns[u].obstacle_confidence = kPaperConfidence;
     columns[u].free_to_m = std::min(columns[u].free_to_m, distance_m);
-    hide_behind_obstacle(columns[u], sight_over_top_m(geometry, blob, u));
+    hide_behind_obstacle(columns[u], sight_over_blob_m(geometry, blob, u));
   }
 }
 
@@ -131,7 +131,7 @@ ObstacleView find_obstacles_as_in_paper(const DisparityMap& map, const HeadPose&
     std::vector<float> levels =
         levels_in(map, geometry, labels, blob, {blob.box.x, blob.box.x + blob.box.width});
     blob.level_px = near_level(levels);
-    view.obstacles.push_back(describe(blob, geometry));
+    view.obstacles.push_back(describe_paper_blob(blob, geometry));
     block_columns(view.columns, map, geometry, labels, blob);
   }
   std::stable_sort(

@@ -13,21 +13,21 @@ constexpr double kLeastConfidence = 0.4;
 /// Confidence of the wall against that of the corridor: inferred, so never above 0.5
 constexpr double kCounts = 0.5;
 /// As far as walls are measured, less a cell (wall_profile.cpp, 6.5 m)
-constexpr double kFarthest_m = 6.0;
+constexpr double kFarthestWall_m = 6.0;
 /// Times the wall's distance; one px of disparity at 5 m is a fifth of it
 constexpr double kBehind = 1.2;
 /// Share of a column's pixels that opens the wall; an open door shows more (ours)
 constexpr double kSeenThrough = 0.3;
-constexpr double kTrusted = 0.3;  // confidence, as ObstacleSettings::trusted
+constexpr double kTrustedWall = 0.3;  // confidence, as ObstacleSettings::trusted
 /// Free floor ends before the wall, as before an obstacle (obstacles.cpp)
 constexpr double kWallClearance_m = 0.05;
 
-/// Sine, 3 deg: a ray so nearly along the corridor meets no wall within kFarthest_m
+/// Sine, 3 deg: a ray so nearly along the corridor meets no wall within kFarthestWall_m
 constexpr double kAlong = 0.05;
 /// Above the floor: what one px of disparity is worth in height 2 m away (1.2 m / 12 px)
-constexpr double kLowest_m = 0.1;
+constexpr double kLowestWall_m = 0.1;
 /// Below the ceiling of the shipped corridors (2.7 m), by an error of one px 6 m away
-constexpr double kHighest_m = 2.4;
+constexpr double kHighestWall_m = 2.4;
 
 /// Distance along `bearing_rad` to the wall on that side; +inf for none.
 double wall_range_m(const CorridorView& corridor, double bearing_rad) {
@@ -43,9 +43,9 @@ double share_behind(const DisparityMap& map, const ViewGeometry& geometry, int u
   int behind = 0;
   for (int v = 0; v < map.disparity_px.rows; ++v) {
     const float d = map.disparity_px(v, u);
-    if (!std::isfinite(d) || d <= 0.0F || map.confidence(v, u) < kTrusted) continue;
+    if (!std::isfinite(d) || d <= 0.0F || map.confidence(v, u) < kTrustedWall) continue;
     const double height = geometry.height_m(v, d);
-    if (height < kLowest_m || height > kHighest_m) continue;
+    if (height < kLowestWall_m || height > kHighestWall_m) continue;
     const SpacePoint p = geometry.point(u, v, d);
     behind += std::hypot(p.x_m, p.y_m) > kBehind * range_m;
   }
@@ -60,7 +60,7 @@ void complete_with_walls(std::vector<Column>& columns, const CorridorView& corri
   for (int u = 0; u < static_cast<int>(columns.size()); ++u) {
     Column& column = columns[u];
     const double range_m = wall_range_m(corridor, column.bearing_rad);
-    if (range_m > kFarthest_m || column.obstacle_m < kBehind * range_m) continue;
+    if (range_m > kFarthestWall_m || column.obstacle_m < kBehind * range_m) continue;
     if (share_behind(map, geometry, u, range_m) > kSeenThrough) continue;
     column.obstacle_m = range_m;
     column.obstacle_confidence = kCounts * corridor.confidence;

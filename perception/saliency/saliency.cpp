@@ -66,8 +66,8 @@ double median_disparity(const DisparityMap& map, const cv::Mat1i& labels, int la
   return *middle;
 }
 
-SalientRegion describe(const SaliencyMap& map, cv::Rect box, const cv::Mat1b& mask,
-                       const ViewGeometry& geometry, double disparity_px) {
+SalientRegion describe_region(const SaliencyMap& map, cv::Rect box, const cv::Mat1b& mask,
+                              const ViewGeometry& geometry, double disparity_px) {
   SalientRegion region;
   region.u_px = box.x + 0.5 * (box.width - 1);
   region.v_px = box.y + 0.5 * (box.height - 1);
@@ -102,7 +102,7 @@ void normalise_and_cut(const ViewGeometry& geometry, const DisparityMap& map,
                        s[cv::CC_STAT_HEIGHT]);
     const cv::Mat1b mask = labels(box) == label;
     result.regions.push_back(
-        describe(result, box, mask, geometry, median_disparity(map, labels, label, box)));
+        describe_region(result, box, mask, geometry, median_disparity(map, labels, label, box)));
   }
   std::stable_sort(
       result.regions.begin(), result.regions.end(),

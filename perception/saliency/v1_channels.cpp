@@ -15,7 +15,7 @@ namespace {
 constexpr int kBlock = 4;
 
 /// Mirrored with the border pixel repeated, as cv::BORDER_REFLECT.
-int mirror(int i, int n) {
+int mirror_with_border(int i, int n) {
   while (i < 0 || i >= n) i = i < 0 ? -i - 1 : 2 * n - 1 - i;
   return i;
 }
@@ -26,11 +26,12 @@ void add_facing(const cv::Mat1f& energy, cv::Point n, cv::Mat1f& out) {
   const int inner_from = std::min(std::abs(n.x), width);
   const int inner_to = std::max(inner_from, width - std::abs(n.x));
   for (int v = 0; v < energy.rows; ++v) {
-    const float* ahead = energy[mirror(v + n.y, energy.rows)];
-    const float* behind = energy[mirror(v - n.y, energy.rows)];
+    const float* ahead = energy[mirror_with_border(v + n.y, energy.rows)];
+    const float* behind = energy[mirror_with_border(v - n.y, energy.rows)];
     float* to = out[v];
     const auto at_border = [&](int u) {
-      to[u] += std::min(ahead[mirror(u + n.x, width)], behind[mirror(u - n.x, width)]);
+      to[u] += std::min(ahead[mirror_with_border(u + n.x, width)],
+                        behind[mirror_with_border(u - n.x, width)]);
     };
     for (int u = 0; u < inner_from; ++u) at_border(u);
     for (int u = inner_from; u < inner_to; ++u) to[u] += std::min(ahead[u + n.x], behind[u - n.x]);

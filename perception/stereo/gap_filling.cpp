@@ -9,7 +9,7 @@ namespace {
 
 /// Ends that differ by more are not of one surface.
 /// Ends that differ by more are not of one surface: two steps that P1 pays for (ours)
-constexpr float kSameSurface_px = 2.0F;
+constexpr float kSameFilled_px = 2.0F;
 
 struct End {
   int away_px = 0;  ///< from the pixel to be filled; 0: there is none, the image ends
@@ -28,7 +28,7 @@ struct Bridge {
 Bridge cross(const End& a, const End& b, int length_px) {
   if (a.away_px == 0) return {length_px, GapKind::border, b.disparity, b.confidence};
   if (b.away_px == 0) return {length_px, GapKind::border, a.disparity, a.confidence};
-  if (std::abs(a.disparity - b.disparity) > kSameSurface_px) {
+  if (std::abs(a.disparity - b.disparity) > kSameFilled_px) {
     const End& farther = a.disparity < b.disparity ? a : b;
     return {length_px, GapKind::step, farther.disparity, farther.confidence};
   }

@@ -18,7 +18,7 @@
 namespace striate::perception {
 namespace {
 
-void check(const StereoSettings& s) {
+void check_stereo(const StereoSettings& s) {
   auto require = [](bool good, const std::string& what) {
     if (!good) throw UserError("stereo: " + what);
   };
@@ -132,7 +132,7 @@ class StereoMatcher::Work {
 };
 
 StereoMatcher::StereoMatcher(const StereoSettings& settings) {
-  check(settings);
+  check_stereo(settings);
   work_ = std::make_unique<Work>(settings);
 }
 StereoMatcher::~StereoMatcher() = default;

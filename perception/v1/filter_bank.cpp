@@ -57,7 +57,7 @@ double even_sum(const std::vector<RealProduct>& products) {
 }
 
 /// The envelope's singular vectors times the carrier's cosine and sine along x and along y.
-RealPair decompose(const V1Settings& s, int orientation, int radius) {
+RealPair decompose_filter(const V1Settings& s, int orientation, int radius) {
   const Eigen::Index side = 2 * radius + 1;
   const double theta = orientation * std::numbers::pi / kOrientations;
   const double omega = 2.0 * std::numbers::pi / s.wavelength_px;
@@ -216,7 +216,7 @@ FilterBank make_filter_bank(const V1Settings& settings) {
   const int side = gabor_side(settings.wavelength_px);
   std::vector<RealPair> pairs;
   for (int i = 0; i <= kOrientations / 2; ++i) {
-    pairs.push_back(decompose(settings, i, side / 2));
+    pairs.push_back(decompose_filter(settings, i, side / 2));
   }
   FilterBank bank;
   bank.radius = side / 2;

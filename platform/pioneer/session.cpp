@@ -14,7 +14,7 @@ constexpr Duration kConfigAgain = std::chrono::milliseconds(200);
 /// As ARIA waits for a CONFIGpac; then it goes on without
 constexpr Duration kConfigPatience = std::chrono::milliseconds(1000);
 /// Five SIP cycles without one: OPEN was lost
-constexpr Duration kOpenAgain = std::chrono::milliseconds(500);
+constexpr Duration kAskToOpenAgain = std::chrono::milliseconds(500);
 
 /// What the controller answers to each.
 Command command_of(RoundTrip::Question question) {
@@ -150,7 +150,7 @@ void ArcosSession::tick(TimePoint now) {
       tick_syncing(now);
       return;
     case LinkState::opening:
-      if (now - sent_at_ >= kOpenAgain) {
+      if (now - sent_at_ >= kAskToOpenAgain) {
         send(command(Command::open, 1));
         sent_at_ = now;
       }

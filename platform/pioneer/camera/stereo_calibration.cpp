@@ -22,7 +22,7 @@ CameraModel scaled(CameraModel camera, double by) {
 }
 
 template <int rows, int cols>
-bool read(const cv::FileStorage& file, const char* key, cv::Matx<double, rows, cols>& value) {
+bool read_key(const cv::FileStorage& file, const char* key, cv::Matx<double, rows, cols>& value) {
   cv::Mat read;
   file[key] >> read;
   if (read.rows * read.cols != rows * cols || read.type() != CV_64F) return false;
@@ -31,18 +31,18 @@ bool read(const cv::FileStorage& file, const char* key, cv::Matx<double, rows, c
   return true;
 }
 
-bool read(const cv::FileStorage& file, StereoCalibration& calibration) {
+bool read_from(const cv::FileStorage& file, StereoCalibration& calibration) {
   file["image_width"] >> calibration.size_px.width;
   file["image_height"] >> calibration.size_px.height;
   file["pairs"] >> calibration.pairs;
   file["reprojection_error_px"] >> calibration.reprojection_px;
   file["epipolar_error_px"] >> calibration.epipolar_px;
-  return read(file, "left_camera_matrix", calibration.left.matrix) &&
-         read(file, "left_distortion", calibration.left.distortion) &&
-         read(file, "right_camera_matrix", calibration.right.matrix) &&
-         read(file, "right_distortion", calibration.right.distortion) &&
-         read(file, "rotation", calibration.rotation) &&
-         read(file, "translation_m", calibration.translation_m);
+  return read_key(file, "left_camera_matrix", calibration.left.matrix) &&
+         read_key(file, "left_distortion", calibration.left.distortion) &&
+         read_key(file, "right_camera_matrix", calibration.right.matrix) &&
+         read_key(file, "right_distortion", calibration.right.distortion) &&
+         read_key(file, "rotation", calibration.rotation) &&
+         read_key(file, "translation_m", calibration.translation_m);
 }
 
 bool makes_sense(const StereoCalibration& calibration) {
@@ -86,7 +86,7 @@ StereoCalibration read_calibration(const std::string& file) {
     // OpenCV would tell of a missing file on standard error.
     if (std::filesystem::is_regular_file(file)) {
       const cv::FileStorage storage(file, cv::FileStorage::READ);
-      good = storage.isOpened() && read(storage, calibration) && makes_sense(calibration);
+      good = storage.isOpened() && read_from(storage, calibration) && makes_sense(calibration);
     }
   } catch (const cv::Exception&) {
     good = false;

@@ -10,7 +10,8 @@ using arcos::Packet;
 
 namespace {
 
-constexpr std::uint16_t kNoEchoMm = 5000;  // what a real P3-DX tells where no echo returned
+constexpr std::uint16_t kToldWithoutEchoMm =
+    5000;  // what a real P3-DX tells where no echo returned
 /// Two turns of 16 discs: what waits longer has been fired again
 constexpr std::size_t kMostFreshReadings = 32;
 
@@ -136,7 +137,8 @@ Pose2 ArcosFirmware::pose_mm() const {
 
 void ArcosFirmware::sonar(std::size_t disc, double range_m) {
   if (!connected_ || !sonar_on_ || fresh_sonar_.size() >= kMostFreshReadings) return;
-  const double mm = std::isfinite(range_m) ? std::clamp(1000.0 * range_m, 0.0, 5000.0) : kNoEchoMm;
+  const double mm =
+      std::isfinite(range_m) ? std::clamp(1000.0 * range_m, 0.0, 5000.0) : kToldWithoutEchoMm;
   fresh_sonar_.push_back(
       {static_cast<std::uint8_t>(disc), static_cast<std::uint16_t>(std::lround(mm))});
 }

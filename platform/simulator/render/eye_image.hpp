@@ -11,7 +11,7 @@ namespace striate::simulator::render {
 /// the floor at half the resolution, blurred as a worn floor blurs it.
 class EyeImage {
  public:
-  EyeImage(const Tracer& tracer, const Shader& shader, const People& people)
+  EyeImage(const Tracer& tracer, const Shader& shader, const PeopleOnStage& people)
       : tracer_(tracer), shader_(shader), people_(people) {}
 
   /// Linear light, row by row, blue green red in lanes 0..2. Valid until the next call.
@@ -41,7 +41,7 @@ class EyeImage {
 
   const Tracer& tracer_;
   const Shader& shader_;
-  const People& people_;
+  const PeopleOnStage& people_;
   std::vector<Frame> frames_;
   std::vector<V4> light_;
   std::vector<int> group_;

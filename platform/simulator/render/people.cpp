@@ -8,7 +8,7 @@ namespace striate::simulator::render {
 /// One person being built. Own frame: x forward, y left, z up, metres of a person of 1.78 m.
 class Body {
  public:
-  Body(People& people, const People::Clothing& look, const PersonState& state,
+  Body(PeopleOnStage& people, const PeopleOnStage::Clothing& look, const PersonState& state,
        const LightProbes& probes, int sides)
       : people_(people), look_(look), state_(state), probes_(probes), sides_(sides) {
     stand_.pose = state.pose;
@@ -204,8 +204,8 @@ class Body {
     people_.occluders_.push_back(shadow);
   }
 
-  People& people_;
-  const People::Clothing& look_;
+  PeopleOnStage& people_;
+  const PeopleOnStage::Clothing& look_;
   const PersonState& state_;
   const LightProbes& probes_;
   int sides_ = 12;
@@ -215,7 +215,7 @@ class Body {
   std::vector<Vec3> feet_;
 };
 
-People::People(Materials& materials) : materials_(materials) {
+PeopleOnStage::PeopleOnStage(Materials& materials) : materials_(materials) {
   struct Clothes {
     const char* top;
     const char* trousers;
@@ -244,7 +244,7 @@ People::People(Materials& materials) : materials_(materials) {
   carton_ = materials.find("cardboard", "person");
 }
 
-void People::pose(const SceneState& state, const LightProbes& probes, double reach_m) {
+void PeopleOnStage::pose(const SceneState& state, const LightProbes& probes, double reach_m) {
   patches_.clear();
   light_.clear();
   occluders_.clear();

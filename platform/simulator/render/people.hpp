@@ -20,12 +20,12 @@ struct Occluder {
 };
 
 /// The people of one image: bodies in the pose of their stride, lit by the probes.
-class People {
+class PeopleOnStage {
  public:
   /// Looks differ by clothes, hair, skin and height; a person's `look` is taken modulo these.
   static constexpr int kLooks = 8;
 
-  explicit People(Materials& materials);
+  explicit PeopleOnStage(Materials& materials);
 
   /// Builds those who are within `reach_m` of the viewer.
   void pose(const SceneState& state, const LightProbes& probes, double reach_m);

@@ -45,7 +45,7 @@ struct Renderer::Parts {
   CameraSettings settings;
   std::uint64_t seed;
   Stage stage;
-  People people;
+  PeopleOnStage people;
   Tracer tracer;
   BakedLight baked;
   LightProbes probes;

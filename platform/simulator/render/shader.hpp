@@ -17,7 +17,8 @@ class Shader {
  public:
   static constexpr int kNothing = -1000000;  ///< no material and no face has this number
 
-  Shader(const Stage& stage, const BakedLight& baked, const People& people, const Tracer& tracer)
+  Shader(const Stage& stage, const BakedLight& baked, const PeopleOnStage& people,
+         const Tracer& tracer)
       : stage_(stage), baked_(baked), people_(people), tracer_(tracer) {}
 
   /// `flicker`: of the lamps in this image, about 1.
@@ -64,7 +65,7 @@ class Shader {
 
   const Stage& stage_;
   const BakedLight& baked_;
-  const People& people_;
+  const PeopleOnStage& people_;
   const Tracer& tracer_;
   float flicker_ = 1.0F;
 };

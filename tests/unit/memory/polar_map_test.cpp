@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 const TimePoint kSeen = TimePoint(std::chrono::seconds(2));
-const TimePoint kNow = TimePoint(std::chrono::seconds(3));
+const TimePoint kLookedAt = TimePoint(std::chrono::seconds(3));
 
 TEST(PolarMap, RingsGrowFromThirtyCentimetresToSixMetres) {
   EXPECT_NEAR(PolarMap::ring_outer_m(0), 0.30, 1e-9);
@@ -43,7 +43,7 @@ TEST(PolarMap, OneThingMakesACellOccupiedAndAFewFreePatchesDoNotMakeItFree) {
     for (int x = 0; x <= 60; ++x) grid.add({x, y}, -2.0F, kSeen);
   }
   grid.add({40, 0}, 6.0F, kSeen);
-  const PolarMap map = read_polar_map(grid, {}, kNow);
+  const PolarMap map = read_polar_map(grid, {}, kLookedAt);
   const PolarMap::Cell& thing = map.at(0, PolarMap::ring_of(2.02));
   EXPECT_EQ(thing.state, CellState::occupied);
   EXPECT_NEAR(thing.age_s, 1.0, 1e-3);
@@ -57,7 +57,7 @@ TEST(PolarMap, TurnsAgainstTheRobotWithoutBlur) {
   LocalGrid grid;
   for (int d = -1; d <= 1; ++d) grid.add({60 + d, 0}, 3.0F, kSeen);
   for (int turn = 0; turn < PolarMap::kSectors; ++turn) {
-    const PolarMap map = read_polar_map(grid, {0.0, 0.0, turn * PolarMap::kSector_rad}, kNow);
+    const PolarMap map = read_polar_map(grid, {0.0, 0.0, turn * PolarMap::kSector_rad}, kLookedAt);
     int occupied = 0;
     for (const PolarMap::Cell& cell : map.cells) occupied += cell.state == CellState::occupied;
     const int sector = (PolarMap::kSectors - turn) % PolarMap::kSectors;

@@ -8,13 +8,13 @@
 namespace striate::perception {
 namespace {
 
-constexpr int kWidth = 40, kHeight = 30;
+constexpr int kGapsWidth = 40, kGapsHeight = 30;
 
 /// A wall at 5 px, of confidence 0.9.
 DisparityMap wall() {
   DisparityMap map;
-  map.disparity_px = cv::Mat1f(kHeight, kWidth, 5.0F);
-  map.confidence = cv::Mat1f(kHeight, kWidth, 0.9F);
+  map.disparity_px = cv::Mat1f(kGapsHeight, kGapsWidth, 5.0F);
+  map.confidence = cv::Mat1f(kGapsHeight, kGapsWidth, 0.9F);
   return map;
 }
 
@@ -25,7 +25,7 @@ void forget(DisparityMap& map, const cv::Rect& part) {
 
 TEST(GapFilling, BridgesASmallGapOfOneSurfaceByAStraightLine) {
   DisparityMap map = wall();
-  for (int x = 0; x < kWidth; ++x) {
+  for (int x = 0; x < kGapsWidth; ++x) {
     map.disparity_px.col(x).setTo(5.0F + 0.25F * static_cast<float>(x));
   }
   forget(map, {10, 4, 4, 20});
@@ -55,8 +55,8 @@ TEST(GapFilling, LeavesLargeGapsUnknown) {
 
 TEST(GapFilling, LetsTheFartherSurfaceGoOnBehindTheNearerOne) {
   DisparityMap map = wall();
-  map.disparity_px.colRange(20, kWidth).setTo(15.0F);
-  forget(map, {16, 0, 4, kHeight});
+  map.disparity_px.colRange(20, kGapsWidth).setTo(15.0F);
+  forget(map, {16, 0, 4, kGapsHeight});
   GapFilling().fill({8}, map);
   EXPECT_FLOAT_EQ(map.disparity_px(12, 17), 5.0F);
   EXPECT_FLOAT_EQ(map.confidence(12, 17), kGapTrust[1][1]);
@@ -64,10 +64,10 @@ TEST(GapFilling, LetsTheFartherSurfaceGoOnBehindTheNearerOne) {
 
 TEST(GapFilling, TakesTheOnlyEndOfAGapAtTheBorder) {
   DisparityMap map = wall();
-  forget(map, {kWidth - 2, 0, 2, kHeight});
+  forget(map, {kGapsWidth - 2, 0, 2, kGapsHeight});
   GapFilling().fill({8}, map);
-  EXPECT_FLOAT_EQ(map.disparity_px(12, kWidth - 1), 5.0F);
-  EXPECT_FLOAT_EQ(map.confidence(12, kWidth - 1), kGapTrust[2][0]);
+  EXPECT_FLOAT_EQ(map.disparity_px(12, kGapsWidth - 1), 5.0F);
+  EXPECT_FLOAT_EQ(map.confidence(12, kGapsWidth - 1), kGapTrust[2][0]);
 }
 
 TEST(GapFilling, FillsNothingOfLessThanTheLeastConfidence) {
@@ -80,9 +80,9 @@ TEST(GapFilling, FillsNothingOfLessThanTheLeastConfidence) {
 
 TEST(GapFilling, InventsNothingWhereNothingIsKnown) {
   DisparityMap map = wall();
-  forget(map, {0, 0, kWidth, kHeight});
+  forget(map, {0, 0, kGapsWidth, kGapsHeight});
   GapFilling().fill({100}, map);
-  EXPECT_EQ(cv::countNonZero(map.disparity_px == kNoMatch), kWidth * kHeight);
+  EXPECT_EQ(cv::countNonZero(map.disparity_px == kNoMatch), kGapsWidth * kGapsHeight);
 }
 
 TEST(StereoPromise, GrowsWithTheScoreAndStaysAShare) {

@@ -14,7 +14,7 @@ namespace striate::pioneer {
 namespace {
 
 /// Driver and device on one line, in steps of 10 ms of virtual time.
-struct Bed {
+struct UrgBed {
   void run(double seconds) {
     for (double t = 0.0; t < seconds - 1e-9; t += 0.01) {
       now += std::chrono::milliseconds(10);
@@ -42,7 +42,7 @@ struct Bed {
 };
 
 TEST(UrgDriver, SetsTheDeviceUpAndSeesTenTimesASecond) {
-  Bed bed;
+  UrgBed bed;
   bed.run(1.0);
   const RangeScan scan = bed.driver.scan(bed.now);
   ASSERT_EQ(scan.readings.size(), 682u);
@@ -57,7 +57,7 @@ TEST(UrgDriver, SetsTheDeviceUpAndSeesTenTimesASecond) {
 }
 
 TEST(UrgDriver, AStaleScanIsNone) {
-  Bed bed;
+  UrgBed bed;
   bed.run(1.0);
   bed.plugged = false;
   bed.run(0.55);
@@ -65,7 +65,7 @@ TEST(UrgDriver, AStaleScanIsNone) {
 }
 
 TEST(UrgDriver, BeginsAgainWhenTheDeviceComesBack) {
-  Bed bed;
+  UrgBed bed;
   bed.run(1.0);
   bed.plugged = false;
   bed.run(5.0);
@@ -77,15 +77,15 @@ TEST(UrgDriver, BeginsAgainWhenTheDeviceComesBack) {
 }
 
 TEST(UrgDriver, AScanThatWasLongUnderWayIsOld) {
-  expect_a_delay_that_begins_is_found<Bed>();
+  expect_a_delay_that_begins_is_found<UrgBed>();
 }
 
 TEST(UrgDriver, ALaserThatIsLateFromTheBeginningIsNotTakenForAFreshOne) {
-  expect_a_delay_from_the_beginning_is_found<Bed>();
+  expect_a_delay_from_the_beginning_is_found<UrgBed>();
 }
 
 TEST(UrgDriver, ScansWithWrongSumsAreNotTaken) {
-  Bed bed;
+  UrgBed bed;
   bed.run(1.0);
   bed.wrong_bit = true;
   bed.run(0.6);
@@ -97,7 +97,7 @@ TEST(UrgDriver, ScansWithWrongSumsAreNotTaken) {
 }
 
 TEST(UrgDriver, SwitchesTheLaserOffAtTheEnd) {
-  Bed bed;
+  UrgBed bed;
   bed.run(1.0);
   bed.driver.close();
   bed.run(2.0);
@@ -106,7 +106,7 @@ TEST(UrgDriver, SwitchesTheLaserOffAtTheEnd) {
 }
 
 TEST(UrgDriver, SetsUpALaserThatWasLeftInClockMode) {
-  Bed bed;
+  UrgBed bed;
   bed.device.receive(Bytes{'T', 'M', '0', '\n'});
   (void)bed.device.take_output();
   bed.run(1.0);
