@@ -50,9 +50,10 @@ constexpr const char* kShortTask = "striate: 1\nmission: stand\ndo:\n  - wait: {
 TEST_F(AnyDirectory, AShippedMissionRunsByItsPathAndByItsNameWithTheSameResult) {
   const Ended by_path = in_it(
       "run config/tasks/corridor.yaml --world config/worlds/short.yaml --seed 3 --quiet "
-      "--result a.json");
+      "--var 'way=2.5 m' --result a.json");
   EXPECT_EQ(by_path.exit_code, 0) << by_path.err;
-  const Ended by_name = in_it("run corridor --world short --seed 3 --quiet --result b.json");
+  const Ended by_name =
+      in_it("run corridor --world short --seed 3 --quiet --var 'way=2.5 m' --result b.json");
   EXPECT_EQ(by_name.exit_code, 0) << by_name.err;
   const auto without_times = [&](const std::string& file) {
     auto json = nlohmann::json::parse(read_text(where_ / file));
@@ -113,7 +114,7 @@ TEST_F(AnyDirectory, AFileOfYourOwnIsFoundUnlessAShippedOneHasItsName) {
 
 TEST_F(AnyDirectory, AnInstalledProgramFindsWhatWasInstalledWithIt) {
   const std::string program = installed();
-  const Ended run = in_it("run corridor --world short --quiet", program);
+  const Ended run = in_it("run corridor --world short --quiet --var 'way=2.5 m'", program);
   EXPECT_EQ(run.exit_code, 0) << run.err;
   const Ended paths = in_it("config --paths", program);
   EXPECT_THAT(paths.out, AllOf(HasSubstr("x/share/striate/config  (installed with the program)"),

@@ -90,37 +90,37 @@ void reach_full_speed(const Served& served) {
             20.0);
 }
 
-struct Ending {
+struct SignalEnding {
   const char* name;
   int signal;
   int exit_code;  ///< -1: it dies of it
   bool pty = false;
 };
 
-constexpr std::array kEndings{Ending{"Int", SIGINT, 130},
-                              Ending{"Term", SIGTERM, 130},
-                              Ending{"Hup", SIGHUP, 130},
-                              Ending{"Pipe", SIGPIPE, 130},
-                              Ending{"Quit", SIGQUIT, 130},
-                              Ending{"Xfsz", SIGXFSZ, 130},
-                              Ending{"Usr2", SIGUSR2, 130},
-                              Ending{"Alrm", SIGALRM, 130},
-                              Ending{"Xcpu", SIGXCPU, 130},
-                              Ending{"Segv", SIGSEGV, -1},
-                              Ending{"Abrt", SIGABRT, -1},
-                              Ending{"Bus", SIGBUS, -1},
-                              Ending{"Fpe", SIGFPE, -1},
-                              Ending{"Ill", SIGILL, -1},
-                              Ending{"Sys", SIGSYS, -1},
-                              Ending{"Kill", SIGKILL, -1},
-                              Ending{"Stop", SIGSTOP, -1},
-                              Ending{"IntPty", SIGINT, 130, true},
-                              Ending{"HupPty", SIGHUP, 130, true},
-                              Ending{"SegvPty", SIGSEGV, -1, true},
-                              Ending{"KillPty", SIGKILL, -1, true},
-                              Ending{"StopPty", SIGSTOP, -1, true}};
+constexpr std::array kEndings{SignalEnding{"Int", SIGINT, 130},
+                              SignalEnding{"Term", SIGTERM, 130},
+                              SignalEnding{"Hup", SIGHUP, 130},
+                              SignalEnding{"Pipe", SIGPIPE, 130},
+                              SignalEnding{"Quit", SIGQUIT, 130},
+                              SignalEnding{"Xfsz", SIGXFSZ, 130},
+                              SignalEnding{"Usr2", SIGUSR2, 130},
+                              SignalEnding{"Alrm", SIGALRM, 130},
+                              SignalEnding{"Xcpu", SIGXCPU, 130},
+                              SignalEnding{"Segv", SIGSEGV, -1},
+                              SignalEnding{"Abrt", SIGABRT, -1},
+                              SignalEnding{"Bus", SIGBUS, -1},
+                              SignalEnding{"Fpe", SIGFPE, -1},
+                              SignalEnding{"Ill", SIGILL, -1},
+                              SignalEnding{"Sys", SIGSYS, -1},
+                              SignalEnding{"Kill", SIGKILL, -1},
+                              SignalEnding{"Stop", SIGSTOP, -1},
+                              SignalEnding{"IntPty", SIGINT, 130, true},
+                              SignalEnding{"HupPty", SIGHUP, 130, true},
+                              SignalEnding{"SegvPty", SIGSEGV, -1, true},
+                              SignalEnding{"KillPty", SIGKILL, -1, true},
+                              SignalEnding{"StopPty", SIGSTOP, -1, true}};
 
-void expect_the_robot_to_stand(const Ending& ending) {
+void expect_the_robot_to_stand(const SignalEnding& ending) {
   SCOPED_TRACE(ending.name);
   const Served served({.pty = ending.pty});
   const pid_t child = start_drive(served.url());

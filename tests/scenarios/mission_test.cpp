@@ -5,21 +5,11 @@
 
 #include <cmath>
 
-#include "striate/agent/simulated_body.hpp"
+#include "tests/scenarios/short_world.hpp"
 #include "tests/scenarios/striate_process.hpp"
 
 namespace striate::scenarios {
 namespace {
-
-agent::MissionOptions corridor_task() {
-  agent::MissionOptions options;
-  options.task = kRoot + "config/tasks/corridor.yaml";
-  return options;
-}
-
-agent::BodySource in_short_world() {
-  return agent::simulated_pioneer({.world = kRoot + "config/worlds/short.yaml", .seed = 3});
-}
 
 nlohmann::json without_wall_clock(const std::string& file) {
   nlohmann::json json = nlohmann::json::parse(read_text(file));
@@ -90,7 +80,7 @@ TEST(ShortMission, CtrlCStopsTheRobotAndStillWritesTheResult) {
 }
 
 TEST(ShortMission, AnInterruptionBringsTheWheelsToAStandBeforeTheEnd) {
-  agent::Mission mission(corridor_task(), in_short_world());
+  agent::Mission mission(shipped_task("corridor.yaml"), in_short_world());
   bool drove = false;
   const agent::RunResult result = mission.run([&](const agent::Mission& running) {
     drove = drove || running.cycle().trace().senses.odometry.forward_m_s > 0.2;
@@ -104,7 +94,7 @@ TEST(ShortMission, AnInterruptionBringsTheWheelsToAStandBeforeTheEnd) {
 
 TEST(CameraFault, NoImageForHalfASecondMeansStopAndNothingMovesUntilItSeesAgain) {
   const TemporaryFolder folder;
-  agent::MissionOptions options = corridor_task();
+  agent::MissionOptions options = shipped_task("corridor.yaml");
   options.robot = folder.write(
       "r.yaml", "simulator: {faults: {camera_stops_at: 6 s, camera_returns_at: 10 s}}\n");
   agent::Mission mission(options, in_short_world());

@@ -5,24 +5,14 @@
 #include <nlohmann/json.hpp>
 
 #include "striate/agent/mission.hpp"
-#include "striate/agent/simulated_body.hpp"
 #include "striate/tasks/task_reader.hpp"
+#include "tests/scenarios/short_world.hpp"
 #include "tests/scenarios/striate_process.hpp"
 
 namespace striate::scenarios {
 namespace {
 
 using testing::HasSubstr;
-
-agent::MissionOptions mission_of(const std::string& task) {
-  agent::MissionOptions options;
-  options.task = kRoot + "config/tasks/" + task;
-  return options;
-}
-
-agent::BodySource in_short_world() {
-  return agent::simulated_pioneer({.world = kRoot + "config/worlds/short.yaml", .seed = 3});
-}
 
 /// What was wanted and sent in a cycle, bit for bit.
 std::string decision(const behaviours::Wish& wish, const MotorCommand& sent,
@@ -38,13 +28,13 @@ TEST(Decisions, AreTheSameBitForBitInASecondRunAndWhenMadeAgainFromWhatWasSensed
   std::vector<std::string> first;
   std::vector<std::string> second;
   for (std::vector<std::string>* run : {&first, &second}) {
-    agent::Mission mission(mission_of("corridor.yaml"), in_short_world());
+    agent::Mission mission(shipped_task("corridor.yaml"), in_short_world());
     // The mind once more, beside the one that drives: it gets what was sensed and seen.
     const agent::RobotSettings settings = agent::load_robot_settings("");
     const RobotDescription& robot = mission.body().description();
     memory::ShortTermMemory memory(settings.memory, robot);
     tasks::Executive executive(
-        tasks::load_task(mission_of("corridor.yaml").task, robot, {{"way", "12.5 m"}}));
+        tasks::load_task(shipped_task("corridor.yaml").task, robot, {{"way", "12.5 m"}}));
     behaviours::Arbiter arbiter;
     behaviours::SafetyLimiter limiter(settings.safety, robot);
     mission.run([&](const agent::Mission& running) {
@@ -67,7 +57,7 @@ TEST(Decisions, AreTheSameBitForBitInASecondRunAndWhenMadeAgainFromWhatWasSensed
 }
 
 TEST(RoundTrip, GoesAlmostToTheEndAndComesBackByVisionAlone) {
-  agent::MissionOptions options = mission_of("round_trip.yaml");
+  agent::MissionOptions options = shipped_task("round_trip.yaml");
   options.emergency_layer = false;
   agent::Mission mission(options, in_short_world());
   double farthest_m = 0.0;
