@@ -33,8 +33,9 @@ using BehaviourRegistry = NamedTable<BehaviourEntry>;
 /// All behaviours: ours, and after them those of plugins. One table of the whole process.
 [[nodiscard]] const BehaviourRegistry& behaviour_registry();
 
-/// Takes in one more, before the first task script is read; for plugins alone
-/// (agent/plugins/load_plugin.hpp). @return false where the name is taken
+/// Takes in one more, for the scripts that are read from then on: those of plugins
+/// (agent/plugins/load_plugin.hpp), and of Python, which may add some while missions run in other
+/// threads. @return false where the name is taken
 bool enroll(BehaviourEntry entry);
 
 /// The entry of that name, or nullptr.

@@ -10,6 +10,7 @@
 #include "striate/python/failures.hpp"
 #include "striate/python/lent_memory.hpp"
 #include "striate/python/python_names.hpp"
+#include "striate/python/truth.hpp"
 #include "striate/python/wishes.hpp"
 #include "striate/tasks/reader/step_reader.hpp"
 
@@ -96,7 +97,7 @@ class PythonBehaviour final : public Behaviour {
       if (!py::hasattr(self_, "halt")) return true;
       const MemoryLoan loan(memory);
       const py::object done = self_.attr("halt")(loan.lent());
-      return done.is_none() || py::bool_(done);
+      return done.is_none() || is_true(done);
     });
   }
 
@@ -112,49 +113,55 @@ class PythonBehaviour final : public Behaviour {
   bool can_fail_;
 };
 
-std::unique_ptr<Behaviour> make_behaviour(const BehaviourDefinition& definition,
-                                          const config::Node& given,
+/// What Python wrote, by name, under the interpreter's lock. Never destroyed: Python's objects must
+/// not outlive the interpreter in here.
+std::map<std::string, std::shared_ptr<const BehaviourDefinition>>& behaviours_of_python() {
+  static auto* all = new std::map<std::string, std::shared_ptr<const BehaviourDefinition>>();
+  return *all;
+}
+
+std::unique_ptr<Behaviour> make_behaviour(const std::string& name, const config::Node& given,
                                           config::Diagnostics& diagnostics,
                                           const RobotDescription& robot) {
-  const std::size_t before = diagnostics.count();
-  GivenArguments arguments{definition.arguments};
-  const config::Node map = behaviours::detail::with_main(given, definition.main);
-  config::SettingsReader reader(map, definition.name, diagnostics);
-  visit(reader, arguments);
-  for (const std::string& key : definition.required) reader.require(key);
-  reader.finish();
   const py::gil_scoped_acquire lock;
+  // A share of it: what is made may put another in its place meanwhile.
+  const std::shared_ptr<const BehaviourDefinition> definition = behaviours_of_python().at(name);
+  const std::size_t before = diagnostics.count();
+  GivenArguments arguments{definition->arguments};
+  const config::Node map = behaviours::detail::with_main(given, definition->main);
+  config::SettingsReader reader(map, name, diagnostics);
+  visit(reader, arguments);
+  for (const std::string& key : definition->required) reader.require(key);
+  reader.finish();
   py::object self;
   if (diagnostics.count() == before) {
     py::dict values;
     for (const ArgumentDefinition& one : arguments.all) values[py::str(one.name)] = value_of(one);
-    self = definition.make(values, robot);
+    self = definition->make(values, robot);
   }
-  return std::make_unique<PythonBehaviour>(definition, std::move(self));
+  return std::make_unique<PythonBehaviour>(*definition, std::move(self));
 }
 
-/// Never destroyed: Python's objects must not outlive the interpreter in here.
-std::map<std::string, BehaviourDefinition>& behaviours_of_python() {
-  static auto* all = new std::map<std::string, BehaviourDefinition>();
-  return *all;
+std::vector<config::SettingLine> parameters_of(const std::string& name) {
+  const py::gil_scoped_acquire lock;
+  GivenArguments arguments{behaviours_of_python().at(name)->arguments};
+  config::SettingsPrinter printer;
+  visit(printer, arguments);
+  return printer.lines();
 }
 
 behaviours::BehaviourEntry entry_of(const BehaviourDefinition& definition) {
+  const std::string name = definition.name;
   behaviours::BehaviourEntry entry;
-  entry.name = definition.name;
+  entry.name = name;
   entry.help = definition.help;
   entry.main = definition.main;
   entry.required = definition.required;
-  entry.make = [&definition](const config::Node& given, config::Diagnostics& diagnostics,
-                             const RobotDescription& robot) {
-    return make_behaviour(definition, given, diagnostics, robot);
+  entry.make = [name](const config::Node& given, config::Diagnostics& diagnostics,
+                      const RobotDescription& robot) {
+    return make_behaviour(name, given, diagnostics, robot);
   };
-  entry.parameters = [&definition] {
-    GivenArguments arguments{definition.arguments};
-    config::SettingsPrinter printer;
-    visit(printer, arguments);
-    return printer.lines();
-  };
+  entry.parameters = [name] { return parameters_of(name); };
   return entry;
 }
 
@@ -166,9 +173,9 @@ void define(BehaviourDefinition definition) {
   check_new_name(
       "behaviour", name,
       tasks::is_word_of_steps(name) || (!ours && behaviours::find_behaviour(name) != nullptr));
-  BehaviourDefinition& kept = behaviours_of_python()[name];
-  kept = std::move(definition);
-  if (!ours) (void)behaviours::enroll(entry_of(kept));
+  behaviours::BehaviourEntry entry = entry_of(definition);
+  behaviours_of_python()[name] = std::make_shared<const BehaviourDefinition>(std::move(definition));
+  if (!ours) (void)behaviours::enroll(std::move(entry));
 }
 
 }  // namespace striate::python

@@ -1,16 +1,15 @@
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
+#include <map>
 #include <memory>
+#include <string>
 #include <utility>
-#include <vector>
 
-#include "striate/base/user_error.hpp"
 #include "striate/python/definitions.hpp"
 #include "striate/python/failures.hpp"
 #include "striate/python/lent_memory.hpp"
 #include "striate/python/python_names.hpp"
+#include "striate/python/truth.hpp"
 #include "striate/tasks/condition_registry.hpp"
 
 namespace striate::python {
@@ -39,10 +38,7 @@ class PythonCondition final : public tasks::Condition {
   [[nodiscard]] bool holds(const memory::ShortTermMemory& memory) const override {
     return in_python(who_, [&] {
       const MemoryLoan loan(memory);
-      const py::object holds = self_.attr("holds")(loan.lent());
-      const int truth = PyObject_IsTrue(holds.ptr());
-      if (truth < 0) throw py::error_already_set();
-      return truth == 1;
+      return is_true(self_.attr("holds")(loan.lent()));
     });
   }
 
@@ -51,49 +47,34 @@ class PythonCondition final : public tasks::Condition {
   py::object self_;
 };
 
-/// An entry of the table is made by a plain function, which knows nothing but the limit. So there
-/// is one for each place in here. By hand: more conditions than a script has ever named.
-constexpr std::size_t kMostConditions = 128;
-using Maker = std::unique_ptr<tasks::Condition> (*)(double);
-
-/// Never destroyed: Python's objects must not outlive the interpreter in here.
-std::vector<ConditionDefinition>& conditions_of_python() {
-  static auto* all = new std::vector<ConditionDefinition>();
+/// What Python wrote, by name, under the interpreter's lock. Never destroyed: Python's objects must
+/// not outlive the interpreter in here.
+std::map<std::string, std::shared_ptr<const ConditionDefinition>>& conditions_of_python() {
+  static auto* all = new std::map<std::string, std::shared_ptr<const ConditionDefinition>>();
   return *all;
 }
 
-template <std::size_t kPlace>
-std::unique_ptr<tasks::Condition> make_condition(double limit) {
+std::unique_ptr<tasks::Condition> make_condition(const std::string& name, double limit) {
   const py::gil_scoped_acquire lock;
-  const ConditionDefinition& definition = conditions_of_python().at(kPlace);
-  return std::make_unique<PythonCondition>(definition.name, definition.make(limit));
-}
-
-template <std::size_t... kPlaces>
-constexpr std::array<Maker, sizeof...(kPlaces)> makers(std::index_sequence<kPlaces...> /*places*/) {
-  return {make_condition<kPlaces>...};
+  // A share of it: what is made may put another in its place meanwhile.
+  const std::shared_ptr<const ConditionDefinition> definition = conditions_of_python().at(name);
+  return std::make_unique<PythonCondition>(name, definition->make(limit));
 }
 
 }  // namespace
 
 void define(ConditionDefinition definition) {
-  static constexpr auto kMakers = makers(std::make_index_sequence<kMostConditions>());
-  std::vector<ConditionDefinition>& all = conditions_of_python();
-  const auto old = std::ranges::find(all, definition.name, &ConditionDefinition::name);
-  check_new_name("condition", definition.name,
-                 old == all.end() && tasks::find_condition(definition.name) != nullptr);
-  if (old != all.end()) {
-    *old = std::move(definition);
-    return;
-  }
-  if (all.size() == kMostConditions) {
-    throw UserError(fmt::format("a condition '{}': Python has {} already, and no more can be added",
-                                definition.name, kMostConditions));
-  }
-  tasks::ConditionEntry entry{definition.name,  definition.help,    definition.unit,
-                              definition.range, definition.example, kMakers[all.size()]};
-  all.push_back(std::move(definition));
-  (void)tasks::enroll(std::move(entry));
+  const std::string name = definition.name;
+  const bool ours = conditions_of_python().contains(name);
+  check_new_name("condition", name, !ours && tasks::find_condition(name) != nullptr);
+  tasks::ConditionEntry entry{name,
+                              definition.help,
+                              definition.unit,
+                              definition.range,
+                              definition.example,
+                              [name](double limit) { return make_condition(name, limit); }};
+  conditions_of_python()[name] = std::make_shared<const ConditionDefinition>(std::move(definition));
+  if (!ours) (void)tasks::enroll(std::move(entry));
 }
 
 }  // namespace striate::python

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -28,10 +29,10 @@ struct ConditionEntry {
   config::Unit unit;
   config::Range range;
   std::string example;  ///< a value: "58 m"
-  std::unique_ptr<Condition> (*make)(double value_si) = nullptr;
+  std::function<std::unique_ptr<Condition>(double value_si)> make{};
   /// Instead of `make`, where it is about a landmark; with `key` it takes a map of `landmark` and
   /// `key`, without it the landmark's name alone.
-  std::unique_ptr<Condition> (*make_of)(const std::string& landmark, double value_si) = nullptr;
+  std::function<std::unique_ptr<Condition>(const std::string& landmark, double value_si)> make_of{};
   std::string key{};
   /// Once it holds it goes on holding for as long as the robot stands: `pause_if` would never end.
   bool lasts_while_standing = false;

@@ -16,8 +16,9 @@ using ConditionRegistry = NamedTable<ConditionEntry>;
 /// whole process.
 [[nodiscard]] const ConditionRegistry& condition_registry();
 
-/// Takes in one more, before the first task script is read; for plugins alone
-/// (agent/plugins/load_plugin.hpp). @return false where the name is taken
+/// Takes in one more, for the scripts that are read from then on: those of plugins
+/// (agent/plugins/load_plugin.hpp), and of Python, which may add some while missions run in other
+/// threads. @return false where the name is taken
 bool enroll(ConditionEntry entry);
 
 /// The condition of that name, which may be an old name of it; or nullptr.

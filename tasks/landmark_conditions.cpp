@@ -56,7 +56,7 @@ class LandmarkWithin final : public Condition {
 };
 
 template <class Kind>
-std::unique_ptr<Condition> make(const std::string& landmark, double value) {
+std::unique_ptr<Condition> make_about(const std::string& landmark, double value) {
   return std::make_unique<Kind>(landmark, value);
 }
 
@@ -68,18 +68,18 @@ const std::vector<ConditionEntry>& landmark_conditions() {
     list[0].name = "landmark_seen";
     list[0].help = "the landmark is recognised now, in some looks in a row";
     list[0].example = "book";
-    list[0].make_of = make<LandmarkSeen>;
+    list[0].make_of = make_about<LandmarkSeen>;
     list[1].name = "landmark_known";
     list[1].help = "where the landmark is, is known: seen in this run or recalled";
     list[1].example = "book";
-    list[1].make_of = make<LandmarkKnown>;
+    list[1].make_of = make_about<LandmarkKnown>;
     list[1].lasts_while_standing = true;
     list[2].name = "landmark_within";
     list[2].help = "the robot is so near to the landmark's place, once that is known";
     list[2].unit = Unit::length;
     list[2].range = {0.0, 1000.0};
     list[2].example = "{landmark: book, distance: 1 m}";
-    list[2].make_of = make<LandmarkWithin>;
+    list[2].make_of = make_about<LandmarkWithin>;
     list[2].key = "distance";
     list[2].lasts_while_standing = true;
     return list;

@@ -12,7 +12,7 @@
 namespace striate::agent {
 
 /// Counts up when PluginInfo, PluginRegistrar or one of the entries changes.
-inline constexpr int kPluginInterface = 1;
+inline constexpr int kPluginInterface = 2;
 
 /// What a plugin adds to the program: names that nobody has yet. Nothing is added before all of the
 /// plugin was found good.

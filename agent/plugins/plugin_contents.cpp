@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "striate/base/entry_name.hpp"
 #include "striate/base/user_error.hpp"
 #include "striate/tasks/condition_registry.hpp"
 #include "striate/tasks/reader/step_reader.hpp"
@@ -18,15 +19,6 @@ bool has(const std::vector<Entry>& entries, const std::string& name) {
                      [&](const Entry& entry) { return entry.name == name; });
 }
 
-/// As YAML keys and as arguments of commands: lower_case_words.
-bool is_name(const std::string& text) {
-  const auto fits = [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_';
-  };
-  return !text.empty() && text[0] >= 'a' && text[0] <= 'z' &&
-         std::all_of(text.begin(), text.end(), fits);
-}
-
 }  // namespace
 
 void PluginContents::refuse(const std::string& what, const std::string& hint) const {
@@ -36,9 +28,8 @@ void PluginContents::refuse(const std::string& what, const std::string& hint) co
 
 void PluginContents::check_name(const std::string& kind, const std::string& name,
                                 bool taken) const {
-  if (!is_name(name)) {
-    refuse(fmt::format("has a {} with the name '{}', which is none", kind, name),
-           "a name is a small letter, then small letters, digits and '_'");
+  if (!is_entry_name(name)) {
+    refuse(fmt::format("has a {} with the name '{}', which is none", kind, name), kEntryNameRule);
   }
   if (taken) {
     refuse(fmt::format("has a {} '{}', and that name is taken", kind, name),

@@ -99,7 +99,7 @@ TEST(Plugins, ThatDoNotFitAreRefusedWithOneSentence) {
   const struct {
     std::string file, says;
   } rows[] = {
-      {plugin("other_interface"), "interface 999, but this Striate has interface 1"},
+      {plugin("other_interface"), "interface 999, but this Striate has interface 2"},
       {plugin("other_version"), std::string("is built for Striate 0.0.7, but this is ") + kVersion},
       {plugin("other_abi"), "is built by a compiler with another"},
       {plugin("other_layout"), "is built with headers of another state of Striate"},

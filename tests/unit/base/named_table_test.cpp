@@ -3,7 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <string>
+#include <thread>
 
 namespace striate {
 namespace {
@@ -27,6 +29,29 @@ TEST(NamedTable, AnEntryStaysWhereItIsWhenMoreAreAdded) {
   for (int i = 0; i < 1000; ++i) ASSERT_TRUE(table.add({std::to_string(i), i}));
   EXPECT_EQ(table.find("a"), a);
   EXPECT_EQ(table.begin()->name, "a");
+}
+
+// Under the thread sanitizer, which sees what happens to go well.
+TEST(NamedTable, IsSearchedAndGoneThroughWhileOthersAddToIt) {
+  constexpr int kAdded = 2000;  // many blocks of a deque
+  NamedTable<Entry> table({{"a", 1}});
+  std::atomic<bool> done = false;
+  std::thread adds([&] {
+    for (int i = 0; i < kAdded; ++i) EXPECT_TRUE(table.add({std::to_string(i), i}));
+    done = true;
+  });
+  do {
+    EXPECT_EQ(table.find("a")->value, 1);
+    int next = -1;
+    for (const Entry& entry : table) {
+      if (next >= 0) {
+        EXPECT_EQ(entry.value, next);
+      }
+      ++next;
+    }
+  } while (!done);
+  adds.join();
+  EXPECT_EQ(table.size(), static_cast<std::size_t>(kAdded) + 1);
 }
 
 }  // namespace
