@@ -92,6 +92,7 @@ void find_files(RosOptions& options) {
   find_task(options.run.mission.task);
   find_robot(options.run.mission.robot);
   find_world(options.world.world);
+  options.run.world = options.world.world;
 }
 
 void add_common(CLI::App& command, RosOptions& options) {

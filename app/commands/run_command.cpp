@@ -94,6 +94,7 @@ void add_run_command(CLI::App& app, int& exit_code) {
     find_task(options->run.mission.task);
     find_robot(options->run.mission.robot);
     find_world(options->world.world);
+    options->run.world = options->world.world;
     exit_code = run_mission(options->run, body_for(*options));
   });
 }

@@ -23,6 +23,7 @@
 #include "striate/app/status_line.hpp"
 #include "striate/app/view/task_pages.hpp"
 #include "striate/base/files.hpp"
+#include "striate/base/files_apart.hpp"
 #include "striate/base/say.hpp"
 #include "striate/viewer/dashboard/memory_pages.hpp"
 #include "striate/viewer/foxglove/mission_foxglove.hpp"
@@ -228,6 +229,14 @@ std::string report_text(const RunOptions& options, const agent::RunResult& resul
 }  // namespace
 
 void check_outputs(const RunOptions& options) {
+  check_apart({{"--memory", options.memory},
+               {"--record", options.record},
+               {"--mcap", options.mcap.file},
+               {"--result", options.result},
+               {"--inspect", options.inspect}},
+              {{"the task script", options.mission.task},
+               {"--robot", options.mission.robot},
+               {"--world", options.world}});
   for (const std::string& file :
        {options.result, options.record, options.mcap.file, options.inspect, options.memory}) {
     check_writable(file);

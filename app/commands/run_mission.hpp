@@ -15,6 +15,7 @@ struct RunOptions {
   agent::MissionOptions mission;
   std::vector<std::string> given;  ///< "way=20 m"
   bool no_emergency = false;
+  std::string world;   ///< file that the body is of; empty: none
   std::string memory;  ///< long-term memory; empty: none
   std::string record;  ///< recording; empty: none
   McapOptions mcap;

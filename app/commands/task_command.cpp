@@ -8,6 +8,7 @@
 #include "striate/app/commands/commands.hpp"
 #include "striate/app/plugin_option.hpp"
 #include "striate/base/files.hpp"
+#include "striate/base/files_apart.hpp"
 #include "striate/tasks/task_reader.hpp"
 
 namespace striate::app {
@@ -20,6 +21,8 @@ struct ShowOptions {
 };
 
 int show(const ShowOptions& options) {
+  check_apart({{"--svg", options.svg}, {"--xml", options.xml}},
+              {{"the task script", options.file}});
   check_writable(options.svg);
   check_writable(options.xml);
   const tasks::Task task = tasks::check_task(options.file, RobotDescription{});

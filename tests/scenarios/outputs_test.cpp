@@ -81,6 +81,25 @@ TEST(Outputs, AFolderThatCannotBeWrittenIntoIsSaidBeforeAnyWork) {
   }
 }
 
+TEST(Outputs, NothingIsWrittenOverWhatElseIsNamed) {
+  const TemporaryFolder folder;
+  const std::string task = folder.write("task.yaml", read_text("config/tasks/corridor.yaml"));
+  const std::string world = folder.write("world.yaml", read_text("config/worlds/short.yaml"));
+  const std::string out = folder / "out";
+  expect_refused({
+      {{"run", task, "--world", "short", "--record", task}, "the task script and --record are the"},
+      {{"run", task, "--world", "short", "--record", out, "--result", out},
+       "--record and --result are the same file"},
+      {{"run", task, "--world", world, "--mcap", world}, "--world and --mcap are the same file"},
+      {{"run", task, "--world", "short", "--memory", out, "--inspect", folder / "./out"},
+       "--memory and --inspect are"},
+      {{"task", "show", task, "--svg", task}, "the task script and --svg are the same file"},
+      {{"task", "show", task, "--svg", out, "--xml", out}, "--svg and --xml are the same file"},
+  });
+  EXPECT_EQ(read_text(task), read_text("config/tasks/corridor.yaml"));
+  EXPECT_FALSE(std::filesystem::exists(out));
+}
+
 TEST(Outputs, AMissingFolderIsMade) {
   const TemporaryFolder folder;
   const std::string tree = folder / "new/and/new/tree.svg";
