@@ -1,6 +1,7 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
+#include <chrono>
 #include <filesystem>
 #include <utility>
 
@@ -8,6 +9,7 @@
 #include "striate/python/bindings.hpp"
 #include "striate/python/json_objects.hpp"
 #include "striate/python/python_mission.hpp"
+#include "striate/python/running_missions.hpp"
 #include "striate/python/shown_cycle.hpp"
 #include "striate/python/texts.hpp"
 #include "striate/python/wishes.hpp"
@@ -16,6 +18,9 @@ namespace striate::python {
 namespace {
 
 namespace fs = std::filesystem;
+/// By hand: a mission ends within its cycle, and then closes memory and recording.
+constexpr std::chrono::milliseconds kEndPatience{20'000};
+
 using CycleClass = py::class_<ShownCycle, std::shared_ptr<ShownCycle>>;
 
 void add_facts(CycleClass& cycle) {
@@ -47,6 +52,8 @@ void add_facts(CycleClass& cycle) {
       .def_property_readonly(
           "hold", [](const ShownCycle& c) { return text_of(c.hold); },
           "Why the body's own gate holds the robot; '': it does not.")
+      .def_readonly("waits_for_reset", &ShownCycle::waits_for_reset,
+                    "Whether that lasts until reset().")
       .def_readonly("progress_m", &ShownCycle::progress_m,
                     "Along the corridor's axis since the start.");
 }
@@ -64,7 +71,11 @@ void add_lent(CycleClass& cycle) {
                 agent::memory_state(mission.cycle(), mission.executive(), mission.cycles()));
           },
           "Short-term memory as a dict, as `striate recall --json` tells it. Raises RuntimeError "
-          "when the callback is over.");
+          "when the callback is over.")
+      .def(
+          "reset", [](const ShownCycle& c) { c.mission().reset_body(); },
+          "Somebody has looked at the robot and lets it go on: ends what its gate has latched. "
+          "Raises RuntimeError when the callback is over.");
 }
 
 }  // namespace
@@ -78,8 +89,8 @@ void bind_mission(py::module_& module) {
       [](const fs::path& task, const fs::path& world, std::uint64_t seed, const fs::path& robot,
          const fs::path& memory, const fs::path& record, const fs::path& result,
          const std::string& baseline, const std::map<std::string, std::string>& variables,
-         bool emergency, bool real_time, const std::optional<Pose2>& start, py::object each_cycle,
-         py::object pilot) {
+         bool emergency, bool real_time, bool hears_signals, const std::optional<Pose2>& start,
+         py::object each_cycle, py::object pilot) {
         MissionRequest request{task.string(),
                                world.string(),
                                seed,
@@ -91,6 +102,7 @@ void bind_mission(py::module_& module) {
                                variables,
                                emergency,
                                real_time,
+                               hears_signals,
                                start,
                                std::move(each_cycle),
                                std::move(pilot)};
@@ -100,8 +112,11 @@ void bind_mission(py::module_& module) {
       },
       py::arg("task"), py::arg("world"), py::arg("seed"), py::arg("robot"), py::arg("memory"),
       py::arg("record"), py::arg("result"), py::arg("baseline"), py::arg("variables"),
-      py::arg("emergency"), py::arg("real_time"), py::arg("start"), py::arg("each_cycle"),
-      py::arg("pilot"));
+      py::arg("emergency"), py::arg("real_time"), py::arg("hears_signals"), py::arg("start"),
+      py::arg("each_cycle"), py::arg("pilot"));
+  module.def(
+      "_end_missions", [] { return running_missions().end(kEndPatience); },
+      py::call_guard<py::gil_scoped_release>());
 }
 
 }  // namespace striate::python

@@ -13,10 +13,13 @@
 #include "striate/app/pace.hpp"
 #include "striate/app/reports.hpp"
 #include "striate/base/files.hpp"
+#include "striate/base/files_apart.hpp"
 #include "striate/base/user_error.hpp"
 #include "striate/python/failures.hpp"
 #include "striate/python/files.hpp"
+#include "striate/python/running_missions.hpp"
 #include "striate/python/shown_cycle.hpp"
+#include "striate/python/truth.hpp"
 #include "striate/python/wishes.hpp"
 
 namespace striate::python {
@@ -57,29 +60,36 @@ std::string title_of(const agent::Mission& mission, const MissionRequest& reques
 /// Python's own code, called by the mission in its thread.
 class PythonOnlooker {
  public:
-  explicit PythonOnlooker(const MissionRequest& request) : request_(request) {}
+  explicit PythonOnlooker(const MissionRequest& request)
+      : request_(request), looks_on_(!request.each_cycle.is_none()) {}
 
   void take_the_wheel(agent::Mission& mission) const {
     if (request_.pilot.is_none()) return;
     mission.set_pilot([this, &mission](TimePoint) { return wish_of_pilot(mission); });
   }
 
-  /// @return whether the mission is to end
+  /// @return whether the mission is to end @throws std::runtime_error where the interpreter ends
   [[nodiscard]] bool look(const agent::Mission& mission) const {
+    running_missions().check();  // before the lock, which an interpreter that ends does not give
+    if (!looks_on_ && !request_.hears_signals) return false;
     return in_python("the callback", [&] {
-      if (PyErr_CheckSignals() != 0) throw py::error_already_set();
-      if (request_.each_cycle.is_none()) return false;
-      const auto cycle = std::make_shared<ShownCycle>(mission);
-      struct End {
-        ShownCycle& cycle;
-        ~End() { cycle.end(); }
-      } const end{*cycle};
-      const py::object answer = request_.each_cycle(cycle);
-      return answer.is(py::bool_(false));
+      if (request_.hears_signals && PyErr_CheckSignals() != 0) throw py::error_already_set();
+      return looks_on_ && asks_for_the_end(mission);
     });
   }
 
  private:
+  /// What is false to Python, a numpy.bool_ too, but not None: most callbacks return nothing.
+  [[nodiscard]] bool asks_for_the_end(const agent::Mission& mission) const {
+    const auto cycle = std::make_shared<ShownCycle>(mission);
+    struct End {
+      ShownCycle& cycle;
+      ~End() { cycle.end(); }
+    } const end{*cycle};
+    const py::object answer = request_.each_cycle(cycle);
+    return !answer.is_none() && !is_true(answer);
+  }
+
   [[nodiscard]] std::optional<behaviours::Wish> wish_of_pilot(const agent::Mission& mission) const {
     return in_python("the pilot", [&]() -> std::optional<behaviours::Wish> {
       const memory::ShortTermMemory& memory = mission.cycle().memory();
@@ -95,6 +105,7 @@ class PythonOnlooker {
   }
 
   const MissionRequest& request_;
+  bool looks_on_;
 };
 
 /// What is written down of a mission: never a reason for it to end.
@@ -136,11 +147,18 @@ class PythonKeepers {
   app::Reports reports_;
 };
 
-MissionOutcome run_unlocked(const MissionRequest& request) {
+void check_outputs(const MissionRequest& request, const agent::MissionOptions& options) {
+  check_apart(
+      {{"memory", request.memory}, {"record", request.record}, {"result", request.result}},
+      {{"task", options.task}, {"robot", options.robot}, {"world", world_file(request.world)}});
   for (const std::string& file : {request.result, request.record, request.memory}) {
     check_writable(file);
   }
+}
+
+MissionOutcome run_unlocked(const MissionRequest& request) {
   const agent::MissionOptions options = options_for(request);
+  check_outputs(request, options);
   agent::MissionRecorder recorder(request.record, request.memory);  // copies it as it is now
   agent::Mission mission(options, body_for(request));
   MissionOutcome outcome;
@@ -163,6 +181,7 @@ MissionOutcome run_unlocked(const MissionRequest& request) {
 
 MissionOutcome run_mission(const MissionRequest& request) {
   forget_failure();
+  const RunningMission counted;  // until the interpreter's lock is held again
   MissionOutcome outcome;
   {
     const py::gil_scoped_release unlocked;

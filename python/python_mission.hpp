@@ -25,6 +25,7 @@ struct MissionRequest {
   tasks::GivenVariables variables;
   bool emergency = true;
   bool real_time = false;
+  bool hears_signals = true;  ///< it runs in the main thread, where Python hears of Ctrl-C
   std::optional<Pose2> start;
   pybind11::object each_cycle;  ///< None: nobody looks on
   pybind11::object pilot;       ///< None: nobody else drives
@@ -38,7 +39,8 @@ struct MissionOutcome {
 };
 
 /// Drives it to its end, with the wheels at a stand in the end, however that comes about. Holds the
-/// interpreter's lock only while Python's own code runs.
+/// interpreter's lock only while Python's own code runs and, where it hears signals, for a moment
+/// each cycle.
 /// @throws UserError before anything moves; what Python's code raised, with its traceback; and
 /// KeyboardInterrupt, at the end of the cycle in which Ctrl-C was pressed
 [[nodiscard]] MissionOutcome run_mission(const MissionRequest& request);

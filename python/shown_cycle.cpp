@@ -23,6 +23,7 @@ ShownCycle::ShownCycle(const agent::Mission& mission)
   action = mission.executive().current_action();
   doing = agent::doing_text(trace.wish.why, trace.limited_by);
   hold = mission.hold();
+  waits_for_reset = mission.waits_for_reset();
   progress_m = mission.cycle().memory().progress_m();
 }
 

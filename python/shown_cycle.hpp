@@ -33,6 +33,7 @@ class ShownCycle {
   std::string action;
   std::string doing;
   std::string hold;
+  bool waits_for_reset = false;  ///< the hold lasts until then
   double progress_m = 0.0;
 
  private:

@@ -1,10 +1,12 @@
 """What the tests of the Python module share: the program, made images, scratch folders."""
 
+import ast
 import functools
 import json
 import os
 import pathlib
 import subprocess
+import sys
 import tempfile
 import unittest
 
@@ -14,7 +16,9 @@ import striate
 
 SOURCE = pathlib.Path(__file__).resolve().parents[2]
 PROGRAM = os.environ["STRIATE_PROGRAM"]
+PLUGINS = pathlib.Path(os.environ["STRIATE_TEST_PLUGINS"])
 SHORT = SOURCE / "config" / "worlds" / "short.yaml"
+STUB = SOURCE / "python" / "striate" / "__init__.pyi"
 MISSION = SOURCE / "examples" / "08_a_mission_from_code"
 # Figures of the result that the wall's clock makes.
 WALL_CLOCK = ("mean_cycle_ms", "realtime_factor")
@@ -40,6 +44,36 @@ def program(*words, code=0):
     if done.returncode != code:
         raise AssertionError(f"striate {words} ends with {done.returncode}: {done.stdout}{done.stderr}")
     return done.stdout, done.stderr
+
+
+def script(text, *words):
+    """Starts Python code of its own, whose lines can be read from its stdout."""
+    return subprocess.Popen([sys.executable, "-B", "-c", text, *map(str, words)], text=True,
+                            stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+
+
+def tree_of_stub():
+    return {node.name if isinstance(node, (ast.ClassDef, ast.FunctionDef)) else node.target.id: node
+            for node in ast.parse(STUB.read_text()).body
+            if isinstance(node, (ast.ClassDef, ast.FunctionDef, ast.AnnAssign))}
+
+
+def is_public(name):
+    return not name.startswith("_") or name == "__version__"
+
+
+def members_in(cls):
+    """Public names that a class of the stub has."""
+    return {node.name if isinstance(node, ast.FunctionDef) else node.target.id for node in cls.body
+            if isinstance(node, (ast.FunctionDef, ast.AnnAssign))
+            and is_public(node.name if isinstance(node, ast.FunctionDef) else node.target.id)}
+
+
+def noted_robot(folder):
+    """A robot without a camera, in real time: its file, and the file that each stop adds a line to."""
+    file, notes = folder / "robot.yaml", folder / "notes"
+    file.write_text(f"plugins: [{PLUGINS / 'noted_post.so'}]\nbody: {{noted_post: {{notes: {notes}}}}}\n")
+    return file, notes
 
 
 @functools.cache

@@ -8,6 +8,8 @@ import time
 import traceback
 import unittest
 
+import numpy as np
+
 import striate
 from support import MISSION, SHORT, InScratchFolder, program, without_clock
 
@@ -57,10 +59,12 @@ class Missions(InScratchFolder):
         self.assertIn(last.driver, ("behaviour", "guard", "nobody", "pilot", "emergency"))
         self.assertIsInstance(last.wish, striate.Wish)
         self.assertIsInstance(last.doing + last.limited_by + last.hold, str)
+        self.assertFalse(last.waits_for_reset)
         with self.assertRaisesRegex(RuntimeError, "is over"):
             last.memory.pose
-        with self.assertRaisesRegex(RuntimeError, "is over"):
-            last.memory_state()
+        for ask in (last.memory_state, last.reset):
+            with self.assertRaisesRegex(RuntimeError, "is over"):
+                ask()
         self.assertEqual(last.percept.disparity_px.shape, (120, 160))
         with self.assertRaisesRegex(striate.UserError, "running robot"):
             last.percept.write(self.folder)
@@ -81,6 +85,18 @@ class Missions(InScratchFolder):
         self.assertEqual(len(list(striate.Recording(recording))), 4)  # closed, whole
         striate.run(TASK, world=WORLD, seed=3, each_cycle=lambda cycle: cycle.number < 2)  # and nothing is left
 
+    def test_what_is_false_to_python_asks_for_the_end_and_none_does_not(self):
+        def cycles_with(answer):
+            look = lambda cycle: False if cycle.number == 8 else answer if cycle.number == 3 else None
+            return striate.run(TASK, world=WORLD, seed=3, each_cycle=look).cycles
+
+        ended, later = cycles_with(False), cycles_with(None)
+        self.assertLess(ended, later)
+        for answer, cycles in ((np.bool_(False), ended), (0, ended), (np.bool_(True), later), (1, later)):
+            self.assertEqual(cycles_with(answer), cycles, repr(answer))
+        with self.assertRaisesRegex(ValueError, "ambiguous"):
+            striate.run(TASK, world=WORLD, seed=3, each_cycle=lambda cycle: np.zeros(2))
+
     def test_ctrl_c_stops_it_and_is_raised(self):
         result = self.folder / "result.json"
         began = time.monotonic()
@@ -96,9 +112,17 @@ class Missions(InScratchFolder):
         finger.join()
         self.assertLess(time.monotonic() - began, 10.0)
         self.assertEqual(json.loads(result.read_text())["outcome"], "lost")
+        drove = []
+
+        def look(cycle):
+            drove.append(cycle.action)
+            if cycle.number == 3:
+                signal.raise_signal(signal.SIGINT)
+
         with self.assertRaises(KeyboardInterrupt):
-            striate.run(TASK, world=WORLD, seed=3,
-                        each_cycle=lambda cycle: cycle.number == 3 and signal.raise_signal(signal.SIGINT))
+            striate.run(TASK, world=WORLD, seed=3, each_cycle=look)
+        self.assertEqual(drove[-1], "traverse_corridor")  # no safe end: at once
+        self.assertEqual(len(drove), 3)
 
     def test_a_pilot_takes_the_wheel_behind_the_limiter(self):
         sent = []
@@ -139,6 +163,18 @@ class Missions(InScratchFolder):
             striate.run(TASK, world=WORLD, baseline="best")
         with self.assertRaises(striate.UserError):
             striate.run(TASK, world=WORLD, result=self.folder)
+
+    def test_no_file_is_written_over_another_that_is_named(self):
+        task = self.file("task.yaml", TASK.read_text())
+        out = self.folder / "out"
+        for says, options in (("task and record are the same file", {"record": task}),
+                              ("record and result are the same file", {"record": out, "result": out}),
+                              ("memory and record are the same file",
+                               {"memory": out, "record": self.folder / "." / "out"})):
+            with self.assertRaisesRegex(striate.UserError, says):
+                striate.run(task, world=WORLD, seed=3, each_cycle=lambda cycle: False, **options)
+        self.assertEqual(task.read_text(), TASK.read_text())
+        self.assertFalse(out.exists())
 
     def test_memory_keeps_what_happened(self):
         home = self.folder / "home.db"
