@@ -2,6 +2,7 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <utility>
@@ -9,9 +10,13 @@
 #include "striate/agent/plugins/load_plugin.hpp"
 #include "striate/base/user_error.hpp"
 #include "striate/behaviours/registry.hpp"
+#include "striate/config/diagnostics.hpp"
+#include "striate/config/node.hpp"
+#include "striate/config/quantity.hpp"
 #include "striate/python/bindings.hpp"
 #include "striate/python/definitions.hpp"
 #include "striate/python/files.hpp"
+#include "striate/python/python_names.hpp"
 #include "striate/python/wishes.hpp"
 #include "striate/tasks/condition_registry.hpp"
 
@@ -57,9 +62,11 @@ behaviours::Motors motors_named(const std::string& name) {
   return named(kMotors, name, "motors");
 }
 
-/// The kind of an argument is that of its default. @param one a striate.Argument
+/// The kind of an argument is that of its default. @param one a striate.Argument, which has checked
+/// itself @throws UserError for a name or a unit that is none
 ArgumentDefinition argument_of(const std::string& name, const py::handle& one) {
   using Kind = ArgumentDefinition::Kind;
+  check_new_name("argument", name, false);
   ArgumentDefinition argument;
   argument.name = name;
   argument.unit = unit_named(one.attr("unit").cast<std::string>());
@@ -69,11 +76,7 @@ ArgumentDefinition argument_of(const std::string& name, const py::handle& one) {
   const py::object value = one.attr("default");
   if (!argument.choices.empty()) {
     argument.kind = Kind::choice;
-    const auto chosen = value.cast<std::string>();
-    const auto found = std::ranges::find(argument.choices, chosen);
-    if (found == argument.choices.end()) {
-      throw UserError(fmt::format("argument '{}': '{}' is none of its choices", name, chosen));
-    }
+    const auto found = std::ranges::find(argument.choices, value.cast<std::string>());
     argument.integer = static_cast<int>(found - argument.choices.begin());
   } else if (py::isinstance<py::bool_>(value)) {
     argument.kind = Kind::flag;
@@ -112,6 +115,23 @@ void add_behaviour(const std::string& name, py::object make, const std::string& 
   define(std::move(definition));
 }
 
+/// What lists show it with. @throws UserError where it is given and cannot be read
+std::string example_of(const ConditionDefinition& definition, const std::string& given) {
+  const config::Range& range = definition.range;
+  if (given.empty()) {
+    return config::print_quantity(std::clamp(1.0, range.low, range.high), definition.unit);
+  }
+  config::Node node;
+  node.kind = config::Node::Kind::scalar;
+  node.text = given;
+  config::Diagnostics diagnostics("the example");
+  if (!config::read_quantity(node, definition.unit, range, diagnostics)) {
+    throw UserError(fmt::format("a condition '{}' with the example '{}': {}", definition.name,
+                                given, diagnostics.list().front().message));
+  }
+  return given;
+}
+
 py::list names_of(const auto& table) {
   py::list names;
   for (const auto& entry : table) names.append(entry.name);
@@ -129,8 +149,10 @@ void bind_additions(py::module_& module) {
       "_add_condition",
       [](const std::string& name, py::object make, const std::string& help, const std::string& unit,
          double low, double high, const std::string& example) {
-        define(ConditionDefinition{
-            name, help, std::move(make), unit_named(unit), {low, high}, example});
+        ConditionDefinition definition{name,        help, std::move(make), unit_named(unit),
+                                       {low, high}, ""};
+        definition.example = example_of(definition, example);
+        define(std::move(definition));
       },
       py::arg("name"), py::arg("make"), py::arg("help"), py::arg("unit"), py::arg("low"),
       py::arg("high"), py::arg("example"));

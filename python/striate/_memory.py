@@ -2,6 +2,7 @@
 
 from . import _records
 from ._striate import _Memory
+from ._words import words
 
 
 class Memory:
@@ -76,5 +77,5 @@ class Memory:
         image: (h, w) or (h, w, 3) uint8.  only: names that are looked for; (): all.
         Raises UserError where a name is none of the memory's.
         """
-        found = self._memory._recognise(image, list(only), channels)
+        found = self._memory._recognise(image, words(only, "only"), channels)
         return [_records.KnownThing(one) for one in found]

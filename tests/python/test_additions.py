@@ -1,9 +1,12 @@
 """Behaviours and conditions that are written in Python, in task scripts."""
 
+import threading
 import unittest
 
+import numpy as np
+
 import striate
-from support import MISSION, InScratchFolder
+from support import MISSION, InScratchFolder, noted_robot
 
 WORLD = MISSION / "world.yaml"
 calls = []
@@ -117,6 +120,10 @@ class Additions(InScratchFolder):
         with self.assertRaisesRegex(LookupError, "broken within"):
             striate.run(self.task("  - breaks_in_python: {}"), world=WORLD, record=recording, real_time=False)
         self.assertLess(len(list(striate.Recording(recording))), 8)
+        robot, stops = noted_robot(self.folder)
+        with self.assertRaisesRegex(LookupError, "broken within"):
+            striate.run(self.task("  - breaks_in_python: {}"), robot=robot)
+        self.assertIn("stopped", stops.read_text())
 
     def test_what_is_no_wish_is_told(self):
         for back, says in ((None, "must return a striate.Wish, not NoneType"), (3, "not int"),
@@ -137,6 +144,9 @@ class Additions(InScratchFolder):
         class Cannot:
             def __init__(self, arguments, robot):
                 raise PermissionError("not today")
+
+            def tick(self, memory):
+                return striate.Wish()
 
         with self.assertRaisesRegex(PermissionError, "not today"):
             striate.run(self.task("  - cannot_be_made: {}"), world=WORLD)
@@ -159,7 +169,8 @@ class Additions(InScratchFolder):
 
     def test_names_that_are_taken_or_none_are_refused(self):
         class Any:
-            pass
+            def tick(self, memory):
+                return striate.Wish()
 
         for name, says in (("stop", "taken"), ("repeat", "taken"), ("Nod!", "which is none"), ("", "which is none")):
             with self.assertRaisesRegex(striate.UserError, says):
@@ -177,6 +188,47 @@ class Additions(InScratchFolder):
         with self.assertRaisesRegex(striate.UserError, "nothing lies"):
             striate.condition("from_three_to_one", low=3, high=1)(lambda memory, limit: True)
         self.assertNotIn("legged", striate.actions())
+        with self.assertRaisesRegex(striate.UserError, "argument with the name 'Big Name: {', which is none"):
+            striate.behaviour("with_a_big_name", arguments={"Big Name: {": striate.Argument(1)})(Any)
+        for example, says in (("banana", "'banana'"), ("3", "unit"), ("12 m", "range")):
+            with self.assertRaisesRegex(striate.UserError, f"with the example.*{says}"):
+                striate.condition("with_an_example", unit="length", low=1, high=10, example=example)(lambda m, l: True)
+        striate.condition("without_an_example", unit="length", low=2, high=10)(lambda memory, limit: True)
+
+    def test_arguments_that_can_be_none_are_refused_where_they_are_written(self):
+        Argument = striate.Argument
+        for says, options in (("outside of its range", {"default": 50.0, "low": 0, "high": 1}),
+                              ("outside of its range", {"default": 7, "low": 0, "high": 5}),
+                              ("outside of its range", {"default": 2**40, "high": 2**50}),
+                              ("outside of its range", {"default": float("nan")}),
+                              ("outside of its range", {"default": float("inf"), "high": float("inf")}),
+                              ("nothing lies", {"default": 1.0, "low": 3, "high": 1}),
+                              ("nothing lies", {"default": 1.0, "low": float("nan")}),
+                              ("none of its choices, a, b", {"default": "c", "choices": ["a", "b"]}),
+                              ("none of its choices", {"default": 1, "choices": ["a", "b"]})):
+            with self.subTest(options=options), self.assertRaisesRegex(striate.UserError, says):
+                Argument(**options)
+        for says, options in (("a default is a float", {"default": None}), ("numbers", {"default": 1.0, "low": "0"}),
+                              ("give a list of words", {"default": "a", "choices": "ab"}),
+                              ("is no word", {"default": "a", "choices": ["a", 3]})):
+            with self.subTest(options=options), self.assertRaisesRegex(TypeError, says):
+                Argument(**options)
+        self.assertIs(type(Argument(np.float32(0.5)).default), float)
+        self.assertIs(type(Argument(np.int64(3)).default), int)
+
+    def test_what_is_no_behaviour_or_condition_is_refused_where_it_is_written(self):
+        class Neither:
+            pass
+
+        for what in (3, None, Neither, Neither(), lambda arguments, robot: Neither()):
+            with self.assertRaisesRegex(TypeError, "must be a class with tick"):
+                striate.behaviour("is_none")(what)
+        for what in (3, None, Neither, Neither()):
+            with self.assertRaisesRegex(TypeError, "must be a function, or a class with holds"):
+                striate.condition("is_none")(what)
+        with self.assertRaisesRegex(TypeError, "required: give a list"):
+            striate.behaviour("is_none", arguments={"for": striate.Argument(1.0)}, required="for")
+        self.assertNotIn("is_none", striate.actions() + striate.conditions())
 
     def test_one_of_your_own_may_be_written_anew(self):
         for speed in (0.1, 0.2):
@@ -193,6 +245,48 @@ class Additions(InScratchFolder):
                         each_cycle=lambda cycle: (why.add(cycle.wish.why), cycle.number < 4)[1])
             self.assertIn(f"at {speed}", why)
         self.assertEqual(striate.actions().count("written_twice"), 1)
+
+    def test_one_whose_making_adds_others_is_still_what_it_was(self):
+        @striate.condition("adds_others", example="1")
+        class Adds:
+            def __init__(self, limit):
+                for k in range(200):  # more than have room beside it where they are kept
+                    striate.condition(f"added_{k}_by_another")(lambda memory, limit: False)
+                striate.condition("adds_others")(Adds)  # also in its own place
+
+            def holds(self, memory):
+                return memory.now_s >= 1.0
+
+        class AddsItself:
+            def __init__(self, arguments, robot):
+                add(AddsItself)
+                self.words = arguments["far"]
+
+            def tick(self, memory):
+                return striate.Wish(why=self.words)
+
+        add = striate.behaviour("adds_itself", arguments={"far": striate.Argument("away")})
+        add(AddsItself)
+        why = set()
+        result = striate.run(self.task("  - adds_itself: {far: beyond}\n    until: {adds_others: 1}"), world=WORLD,
+                             each_cycle=lambda cycle: why.add(cycle.wish.why))
+        self.assertEqual(result.outcome, "success")
+        self.assertIn("beyond", why)
+        self.assertIn("added_199_by_another", striate.conditions())
+
+    def test_some_may_be_added_while_missions_run(self):
+        done = threading.Event()
+
+        def add():
+            for k in range(2000):
+                striate.condition(f"added_{k}_meanwhile")(lambda memory, limit: False)
+            done.set()
+
+        adds = threading.Thread(target=add)
+        adds.start()
+        while not done.is_set():
+            striate.run(self.task("  - wait: 1 s\n    until: {on_python_for: 0.1 s}"), world=WORLD)
+        adds.join()
 
     def test_they_are_listed(self):
         self.assertIn("arc_of_python", striate.actions())
