@@ -23,7 +23,7 @@ namespace {
 
 int candidates_for(const PerceiveOptions& o) {
   if (o.candidates > 0) return o.candidates;
-  return std::clamp(150 * o.width_px / 160, 1, 256);
+  return std::clamp(150 * o.width_px / 160, 1, kMostCandidates);
 }
 
 /// Without a focal length nothing is said of the camera, and it is taken for one that can be.
@@ -76,9 +76,22 @@ void check_perceive(const PerceiveOptions& o) {
   if (o.mode != "paper" && o.mode != "robust") {
     throw UserError(fmt::format("--mode {}: choose paper or robust", o.mode));
   }
-  if (o.width_px < 32 || o.width_px > 640) {
+  if (o.width_px < kLeastWidth_px || o.width_px > kMostWidth_px) {
+    throw UserError(fmt::format("--width-px {}: the working width must be {} to {} px", o.width_px,
+                                kLeastWidth_px, kMostWidth_px));
+  }
+  if (o.candidates < 0 || o.candidates > kMostCandidates) {
     throw UserError(
-        fmt::format("--width-px {}: the working width must be 32 to 640 px", o.width_px));
+        fmt::format("--candidates {}: {} disparities can be searched at most; 0: 150 "
+                    "at width 160",
+                    o.candidates, kMostCandidates));
+  }
+  if (!(std::abs(o.tilt_deg) <= kMostTilt_deg)) {  // nor what is no number
+    throw UserError(fmt::format("--tilt-deg {}: a camera is tilted by {} degrees at most",
+                                o.tilt_deg, kMostTilt_deg));
+  }
+  if (!(o.near_px >= 0.0) || !std::isfinite(o.near_px)) {
+    throw UserError(fmt::format("--near-px {}: must be a threshold in px, or 0", o.near_px));
   }
   if ((o.focal_px > 0.0) != (o.baseline_m > 0.0)) {
     throw UserError("distances need both --focal-px and --baseline-m: give both or neither");

@@ -7,6 +7,14 @@
 
 namespace striate::app {
 
+// By hand: below the least width little is left of the paper's Gabor cells, whose wavelengths are
+// of 160 px; beyond the most a pair takes seconds. The stereo searches 256 disparities at most.
+inline constexpr int kLeastWidth_px = 32;
+inline constexpr int kMostWidth_px = 640;
+inline constexpr int kMostCandidates = 256;
+/// By hand: of a camera that still sees the floor or the way.
+inline constexpr double kMostTilt_deg = 60.0;
+
 /// What `striate perceive` is asked of each image pair, and where the answers go.
 struct PerceiveOptions {
   std::filesystem::path left;

@@ -2,9 +2,12 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "striate/platform/datasets/images/read_image.hpp"
 #include "striate/python/arrays.hpp"
@@ -17,71 +20,96 @@ namespace {
 namespace fs = std::filesystem;
 using Options = app::PerceiveOptions;
 
-/// An option that is not given, or None, is left as the command has it.
-/// @throws py::type_error where it is of another kind
-template <class Value>
-void take(const py::kwargs& given, const char* name, Value& value) {
-  if (!given.contains(name) || given[name].is_none()) return;
-  try {
-    value = given[name].cast<Value>();
-  } catch (const py::cast_error&) {
-    throw py::type_error(
-        fmt::format("{}: {} is of the wrong kind", name, std::string(py::repr(given[name]))));
+/// Keyword arguments, of which each is taken once; what is left in the end nobody knows.
+class GivenOptions {
+ public:
+  /// @param who for messages: "perceive"
+  GivenOptions(const py::kwargs& given, std::string who)
+      : left_(given.attr("copy")()), who_(std::move(who)) {}
+
+  /// An option that is not given, or None, is left as the command has it.
+  /// @throws py::type_error where it is of another kind
+  template <class Value>
+  void take(const char* name, Value& value) {
+    names_.emplace_back(name);
+    const py::object given = left_.attr("pop")(name, py::none());
+    if (!given.is_none()) value = cast<Value>(name, given);
   }
-}
-
-template <class Value>
-void take(const py::kwargs& given, const char* name, std::optional<Value>& value) {
-  Value known{};
-  if (!given.contains(name) || given[name].is_none()) return;
-  take(given, name, known);
-  value = known;
-}
-
-/// One file, or the left one's and the right one's.
-std::vector<fs::path> calibration_files(const py::kwargs& given) {
-  if (!given.contains("calibration") || given["calibration"].is_none()) return {};
-  const py::object files = given["calibration"];
-  std::vector<fs::path> paths(1);
-  if (py::isinstance<py::list>(files) || py::isinstance<py::tuple>(files)) {
-    take(given, "calibration", paths);
-  } else {
-    take(given, "calibration", paths.front());
+  template <class Value>
+  void take(const char* name, std::optional<Value>& value) {
+    Value known{};
+    const bool is_there = left_.contains(name) && !left_[name].is_none();
+    take(name, known);
+    if (is_there) value = known;
   }
-  return paths;
-}
-
-void check_names(const py::kwargs& given) {
-  static const std::vector<std::string> known = {
-      "mode",        "width_px",    "candidates",        "focal_px",  "baseline_m",
-      "centre_u_px", "centre_v_px", "right_centre_u_px", "doffs_px",  "camera_height_m",
-      "tilt_deg",    "near_px",     "calibration",       "rectified", "exchanged"};
-  for (const auto& [name, value] : given) {
-    const auto key = name.cast<std::string>();
-    if (std::find(known.begin(), known.end(), key) != known.end()) continue;
-    throw py::type_error("perceive() got an unexpected keyword argument '" + key + "'");
+  /// One file, or the left one's and the right one's.
+  void take(const char* name, std::vector<fs::path>& files) {
+    py::object given;
+    take(name, given);
+    if (!given) return;
+    if (py::isinstance<py::list>(given) || py::isinstance<py::tuple>(given)) {
+      files = cast<std::vector<fs::path>>(name, given);
+    } else {
+      files = {cast<fs::path>(name, given)};
+    }
   }
-}
+  /// @throws py::type_error where something is left
+  void finish() const {
+    for (const auto& [name, value] : left_) {
+      throw py::type_error(fmt::format("{}() got an unexpected keyword argument '{}'", who_,
+                                       name.cast<std::string>()));
+    }
+  }
+  /// All that were asked for.
+  [[nodiscard]] const std::vector<std::string>& names() const { return names_; }
 
-Options options_of(const py::kwargs& given) {
-  check_names(given);
+ private:
+  template <class Value>
+  static Value cast(const char* name, const py::object& given) {
+    try {
+      return given.cast<Value>();
+    } catch (const py::cast_error&) {
+      throw py::type_error(
+          fmt::format("{}: {} is of the wrong kind", name, std::string(py::repr(given))));
+    }
+  }
+
+  py::dict left_;
+  std::string who_;
+  std::vector<std::string> names_;
+};
+
+Options take_options(GivenOptions& given) {
   Options options;
-  options.calibration = calibration_files(given);
-  take(given, "mode", options.mode);
-  take(given, "width_px", options.width_px);
-  take(given, "candidates", options.candidates);
-  take(given, "focal_px", options.focal_px);
-  take(given, "baseline_m", options.baseline_m);
-  take(given, "tilt_deg", options.tilt_deg);
-  take(given, "near_px", options.near_px);
-  take(given, "rectified", options.rectified);
-  take(given, "exchanged", options.exchanged);
-  take(given, "centre_u_px", options.centre_u_px);
-  take(given, "centre_v_px", options.centre_v_px);
-  take(given, "right_centre_u_px", options.right_centre_u_px);
-  take(given, "doffs_px", options.doffs_px);
-  take(given, "camera_height_m", options.camera_height_m);
+  given.take("mode", options.mode);
+  given.take("width_px", options.width_px);
+  given.take("candidates", options.candidates);
+  given.take("focal_px", options.focal_px);
+  given.take("baseline_m", options.baseline_m);
+  given.take("centre_u_px", options.centre_u_px);
+  given.take("centre_v_px", options.centre_v_px);
+  given.take("right_centre_u_px", options.right_centre_u_px);
+  given.take("doffs_px", options.doffs_px);
+  given.take("camera_height_m", options.camera_height_m);
+  given.take("tilt_deg", options.tilt_deg);
+  given.take("near_px", options.near_px);
+  given.take("calibration", options.calibration);
+  given.take("rectified", options.rectified);
+  given.take("exchanged", options.exchanged);
+  given.finish();
   return options;
+}
+
+Options options_of(const py::kwargs& kwargs, const char* who) {
+  GivenOptions given(kwargs, who);
+  return take_options(given);
+}
+
+/// For the test that compares them with the stub.
+py::tuple option_names() {
+  GivenOptions none(py::kwargs(), "perceive");
+  (void)take_options(none);
+  return py::tuple(py::cast(none.names()));
 }
 
 constexpr const char* kPerceiveHelp =
@@ -110,17 +138,19 @@ void bind_perceiver(py::module_& module) {
   py::class_<Perceiver>(module, "Perceiver",
                         "perceive() for many pairs of one camera: the calibration is read once. "
                         "Takes the keyword arguments of perceive().")
-      .def(py::init(
-          [](const py::kwargs& given) { return std::make_unique<Perceiver>(options_of(given)); }))
+      .def(py::init([](const py::kwargs& given) {
+        return std::make_unique<Perceiver>(options_of(given, "Perceiver"));
+      }))
       .def("see", &Perceiver::see, py::arg("left"), py::arg("right") = py::none(), py::kw_only(),
            py::arg("channels") = "bgr", "One pair; see perceive().")
       .def_property_readonly("remarks", &Perceiver::remarks,
                              "What was assumed of the calibration, a sentence each.");
+  module.attr("_PERCEIVE_OPTIONS") = option_names();
   module.def(
       "perceive",
       [](const py::object& left, const py::object& right, const std::string& channels,
          const py::kwargs& given) {
-        return Perceiver(options_of(given)).see(left, right, channels);
+        return Perceiver(options_of(given, "perceive")).see(left, right, channels);
       },
       py::arg("left"), py::arg("right") = py::none(), py::kw_only(), py::arg("channels") = "bgr",
       kPerceiveHelp);

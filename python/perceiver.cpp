@@ -1,17 +1,49 @@
 #include "striate/python/perceiver.hpp"
 
+#include <algorithm>
 #include <memory>
 #include <opencv2/core.hpp>
+#include <regex>
 #include <utility>
 
 #include "striate/app/perceive_frame.hpp"
+#include "striate/base/user_error.hpp"
 #include "striate/platform/datasets/calibration/read_calibration.hpp"
 #include "striate/python/arrays.hpp"
 
 namespace striate::python {
+namespace {
+
+/// The sentences of the command name its options, "--width-px", which are called width_px here.
+std::string with_names_of_python(const std::string& sentence) {
+  static const std::regex option("(^|[ ,(])--([a-z]+(-[a-z]+)*)");
+  std::string said;
+  std::sregex_iterator found(sentence.begin(), sentence.end(), option);
+  std::ptrdiff_t end = 0;
+  for (; found != std::sregex_iterator(); ++found) {
+    std::string name = (*found)[2];
+    std::ranges::replace(name, '-', '_');
+    said.append(sentence, static_cast<std::size_t>(end),
+                static_cast<std::size_t>(found->position() - end));
+    said += (*found)[1].str() + name;
+    end = found->position() + found->length();
+  }
+  return said + sentence.substr(static_cast<std::size_t>(end));
+}
+
+template <class Call>
+auto told_as_in_python(Call call) {
+  try {
+    return call();
+  } catch (const UserError& error) {
+    throw UserError(with_names_of_python(error.what()));
+  }
+}
+
+}  // namespace
 
 Perceiver::Perceiver(app::PerceiveOptions options) : options_(std::move(options)) {
-  app::check_perceive(options_);
+  told_as_in_python([this] { app::check_perceive(options_); });
   if (options_.calibration.empty()) return;
   model_ = datasets::read_calibration(options_.calibration, options_.exchanged);
 }
@@ -24,7 +56,7 @@ SharedSeen Perceiver::see(const py::object& left, const py::object& right,
   if (!right.is_none()) frame.right = bgr_image(right, "right", order);
   const py::gil_scoped_release unlocked;
   const std::lock_guard one_at_a_time(mutex_);
-  return judge(std::move(frame));
+  return told_as_in_python([&] { return judge(std::move(frame)); });
 }
 
 std::vector<std::string> Perceiver::remarks() const {

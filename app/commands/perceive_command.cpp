@@ -93,13 +93,13 @@ void add_perceive_command(CLI::App& app, int& exit_code) {
       ->check(CLI::IsMember({"paper", "robust"}))
       ->capture_default_str();
   command->add_option("--width-px", given.width_px, "working width")
-      ->check(CLI::Range(32, 640))
+      ->check(CLI::Range(kLeastWidth_px, kMostWidth_px))
       ->capture_default_str();
   command
       ->add_option("--candidates", given.candidates,
                    "how many disparities are searched, one a pixel of the working width; 0: 150 at "
                    "width 160")
-      ->check(CLI::Range(0, 256))
+      ->check(CLI::Range(0, kMostCandidates))
       ->capture_default_str();
   CLI::Option* focal =
       command->add_option("--focal-px", given.focal_px, "focal length of the given images")
@@ -128,7 +128,7 @@ void add_perceive_command(CLI::App& app, int& exit_code) {
                           "of the lens above the floor; without it obstacles are near blobs");
   command->add_option("--tilt-deg", given.tilt_deg, "of the camera, up positive")
       ->needs(height)
-      ->check(CLI::Range(-60.0, 60.0));
+      ->check(CLI::Range(-kMostTilt_deg, kMostTilt_deg));
   command->callback([options, &exit_code] { exit_code = run_perceive(*options); });
 }
 

@@ -1,7 +1,9 @@
 """What cannot be seen is refused with one clear sentence."""
 
 import math
+import re
 import unittest
+import unittest.mock
 
 import numpy as np
 
@@ -72,6 +74,12 @@ class Garbage(InScratchFolder):
             {"mode": "best"},
             {"width_px": 4000},
             {"width_px": -1},
+            {"candidates": -3},
+            {"candidates": 257},
+            {**camera, "camera_height_m": 1.0, "tilt_deg": 100.0},
+            {**camera, "baseline_m": math.nan},
+            {**camera, "centre_v_px": math.nan},
+            {**camera, "right_centre_u_px": math.nan},
         ):
             with self.subTest(options=options):
                 words = [word for name, value in options.items()
@@ -82,17 +90,34 @@ class Garbage(InScratchFolder):
                 except AssertionError as error:
                     self.fail(f"the program takes it: {error}")
                 error = self.refused(striate.UserError, "", striate.perceive, left, right, **options)
+                self.assertNotIn("--", str(error))  # options are called otherwise here
                 same = str(error).replace("left: ", "", 1).splitlines()[0]
+                said = re.sub(r"--([a-z-]+)", lambda found: found[1].replace("-", "_"), said)
                 # What the parser of the command line says itself is of its options.
                 if not any(its in said for its in ("not in range", "requires", "not in {")):
                     self.assertIn(same, said)
+
+    def test_what_the_command_has_no_option_for_is_refused_as_clearly(self):
+        left, right, camera = pair()
+        for near_px in (-1.0, math.nan, math.inf):
+            self.refused(striate.UserError, f"near_px {near_px:g}: ", striate.perceive, left, right, near_px=near_px)
+        for tilt_deg in (math.nan, -61.0):
+            self.refused(striate.UserError, f"tilt_deg {tilt_deg:g}: ", striate.perceive, left, right, **camera,
+                         tilt_deg=tilt_deg)
+        self.refused(striate.UserError, "width_px 4000: ", striate.Perceiver, width_px=4000)
+        self.refused(striate.UserError, "both focal_px and baseline_m", striate.Perceiver, focal_px=500)
 
     def test_options_of_another_kind_are_refused_by_name(self):
         left = pair()[0]
         self.refused(TypeError, "width_px: 'wide' is of the wrong kind", striate.perceive, left, width_px="wide")
         self.refused(TypeError, "width_px: 1.5", striate.perceive, left, width_px=1.5)
         self.refused(TypeError, "focal_px: [1]", striate.perceive, left, focal_px=[1])
-        self.refused(TypeError, "'focal'", striate.perceive, left, focal=500)
+        self.refused(TypeError, "perceive() got an unexpected keyword argument 'focal'", striate.perceive, left,
+                     focal=500)
+        self.refused(TypeError, "Perceiver() got an unexpected keyword argument 'focal'", striate.Perceiver, focal=500)
+        self.refused(TypeError, "calibration: 3 is of", striate.Perceiver, calibration=3)
+        self.refused(TypeError, "only: give a list of words, ['book']", striate.Memory.recognise, unittest.mock.Mock(),
+                     left, only="book")
         self.assertEqual(striate.perceive(left, width_px=np.int64(96)).salience.shape[1], 96)
         self.assertEqual(striate.perceive(left, width_px=None).salience.shape[1], 160)
 
