@@ -32,7 +32,10 @@ bool is_sound(const memory::StoredView& view) {
       view.keypoints, [](const perception::ViewKeypoint& point) { return point.size_px > 0.0F; });
 }
 
-void read(memory::MemoryTables& tables, memory::LandmarkKnowledge& knowledge) {
+}  // namespace
+
+memory::LandmarkKnowledge landmark_knowledge_of(memory::MemoryTables& tables) {
+  memory::LandmarkKnowledge knowledge;
   std::unordered_map<std::int64_t, std::size_t> place;
   for (memory::Landmark& landmark : tables.landmarks.all(false)) {
     place[landmark.id] = knowledge.landmarks.size();
@@ -45,15 +48,16 @@ void read(memory::MemoryTables& tables, memory::LandmarkKnowledge& knowledge) {
   });
   knowledge.routes = tables.places.routes();
   knowledge.operating_start_s = tables.sessions.operating_now_s();
+  return knowledge;
 }
-
-}  // namespace
 
 memory::LandmarkKnowledge read_landmark_knowledge(const std::string& memory) {
   memory::LandmarkKnowledge knowledge;
   if (memory.empty() || !std::filesystem::exists(memory)) return knowledge;
   with_memory(memory, memory::Access::read, "looking up its landmarks",
-              [&](memory::MemoryTables& tables, memory::MemoryFile&) { read(tables, knowledge); });
+              [&](memory::MemoryTables& tables, memory::MemoryFile&) {
+                knowledge = landmark_knowledge_of(tables);
+              });
   return knowledge;
 }
 

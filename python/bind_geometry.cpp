@@ -19,10 +19,12 @@ void bind_pose(py::module_& module) {
            [](const Pose2& pose) {
              return py::iter(py::make_tuple(pose.x_m, pose.y_m, pose.heading_rad));
            })
-      .def("__eq__",
-           [](const Pose2& a, const Pose2& b) {
-             return a.x_m == b.x_m && a.y_m == b.y_m && a.heading_rad == b.heading_rad;
-           })
+      .def(
+          "__eq__",
+          [](const Pose2& a, const Pose2& b) {
+            return a.x_m == b.x_m && a.y_m == b.y_m && a.heading_rad == b.heading_rad;
+          },
+          py::is_operator())  // anything else is another, not an error
       .def("__repr__", [](const Pose2& pose) {
         return fmt::format("Pose(x_m={}, y_m={}, heading_rad={})", pose.x_m, pose.y_m,
                            pose.heading_rad);

@@ -186,7 +186,8 @@ void bind_long_term_memory(py::module_& module) {
       .def("close", &MemoryReader::close, py::call_guard<py::gil_scoped_release>())
       .def_property_readonly("path", &MemoryReader::path)
       .def_property_readonly("notices", &MemoryReader::notices)
-      .def_property_readonly("closed", &MemoryReader::closed);
+      .def_property_readonly("closed", py::cpp_function(&MemoryReader::closed,
+                                                        py::call_guard<py::gil_scoped_release>()));
   add_memory_lists(memory);
 }
 

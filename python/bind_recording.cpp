@@ -50,13 +50,14 @@ py::dict dict_of(const std::vector<replay::NamedText>& texts) {
 
 /// A recording is opened anew for each that goes through it; only its head is kept.
 struct OpenedRecording {
-  fs::path file;
+  fs::path file;   ///< as it was named
+  fs::path place;  ///< where that is, whatever the process's folder becomes
   RecordedSetup setup;
 };
 
 OpenedRecording open_recording(const fs::path& file) {
   const py::gil_scoped_release unlocked;
-  return {file, replay::RecordingReader(file.string()).setup()};
+  return {file, fs::absolute(file), replay::RecordingReader(file.string()).setup()};
 }
 
 /// As `striate recall`: memory is what the cycles before have made of it, so the recording is run
@@ -66,7 +67,7 @@ py::object recall(const OpenedRecording& recording, const std::optional<std::uin
   nlohmann::ordered_json state;
   {
     const py::gil_scoped_release unlocked;
-    agent::ReplayMission mission({recording.file.string(), {}, {}});
+    agent::ReplayMission mission({recording.place.string(), {}, {}});
     std::uint64_t last = 0;
     bool found = false;
     while (!found && mission.step()) {
@@ -128,7 +129,7 @@ void bind_recording(py::module_& module) {
       .def(py::init(&open_recording), py::arg("file"))
       .def("__iter__",
            [](const OpenedRecording& recording) {
-             return std::make_unique<CycleReader>(recording.file);
+             return std::make_unique<CycleReader>(recording.place);
            })
       .def("recall", &recall, py::kw_only(), py::arg("cycle") = py::none(),
            py::arg("at_s") = py::none(),

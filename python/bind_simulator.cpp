@@ -22,6 +22,8 @@ namespace fs = std::filesystem;
 /// The simulated Pioneer, a step at a time.
 class SteppedWorld {
  public:
+  using Body = agent::SimulatedBody;
+
   SteppedWorld(const fs::path& world, std::uint64_t seed, const fs::path& robot,
                const std::optional<Pose2>& start) {
     const agent::RobotSettings settings = settings_of(robot);
@@ -49,24 +51,35 @@ class SteppedWorld {
     return copied(senses_);
   }
 
-  [[nodiscard]] const agent::SimulatedBody& body() const { return *body_; }
-  [[nodiscard]] bool over() const { return over_; }
+  /// What `question` finds out of the body, a copy, while no step is made in another thread.
+  template <class Question>
+  [[nodiscard]] auto ask(Question question) const {
+    const py::gil_scoped_release unlocked;
+    const std::lock_guard one_at_a_time(mutex_);
+    return question(*body_);
+  }
+  [[nodiscard]] bool over() const {
+    const py::gil_scoped_release unlocked;
+    const std::lock_guard one_at_a_time(mutex_);
+    return over_;
+  }
+  [[nodiscard]] RobotDescription robot() const {
+    return ask([](const Body& body) { return body.description(); });
+  }
 
  private:
   std::unique_ptr<agent::SimulatedBody> body_;
   Senses senses_;
   bool over_ = false;
-  std::mutex mutex_;
+  mutable std::mutex mutex_;
 };
 
-/// Where the robot's axle is, as the world file counts: along the corridor, left of its middle.
-Pose2 true_pose(const SteppedWorld& world) {
-  return world.body().judge().in_corridor();
-}
+using Body = SteppedWorld::Body;
 
 py::list collisions_of(const SteppedWorld& world) {
+  const auto touches = world.ask([](const Body& body) { return body.judge().collisions(); });
   py::list list;
-  for (const simulator::Collision& one : world.body().judge().collisions()) {
+  for (const simulator::Collision& one : touches) {
     py::dict hit;
     hit["time_s"] = one.time_s;
     hit["along_m"] = one.along_m;
@@ -79,40 +92,47 @@ py::list collisions_of(const SteppedWorld& world) {
   return list;
 }
 
+/// For a property: what `question` finds out of the body.
+template <class Question>
+auto asks(Question question) {
+  return [question](const SteppedWorld& world) { return world.ask(question); };
+}
+
 template <class Class>
 void add_truth(Class& world) {
   world
-      .def_property_readonly("pose", &true_pose,
+      .def_property_readonly("pose",
+                             asks([](const Body& body) { return body.judge().in_corridor(); }),
                              "The true pose in the corridor: x_m along it, y_m to the left of its "
                              "middle. For judging alone: the robot does not know it.")
       .def_property_readonly("collisions", &collisions_of,
                              "A dict for each touch: time_s, along_m, left_m, hit, moving, "
                              "light_level.")
-      .def_property_readonly(
-          "reached_goal", [](const SteppedWorld& w) { return w.body().judge().reached_goal(); },
-          "The goal line was crossed.")
-      .def_property_readonly(
-          "distance_driven_m",
-          [](const SteppedWorld& w) { return w.body().judge().distance_driven_m(); })
-      .def_property_readonly(
-          "clearance_m", [](const SteppedWorld& w) { return w.body().judge().clearance_m(); },
-          "From the robot's outline to the nearest thing, now; 0: touching.")
+      .def_property_readonly("reached_goal",
+                             asks([](const Body& body) { return body.judge().reached_goal(); }),
+                             "The goal line was crossed.")
+      .def_property_readonly("distance_driven_m", asks([](const Body& body) {
+                               return body.judge().distance_driven_m();
+                             }))
+      .def_property_readonly("clearance_m",
+                             asks([](const Body& body) { return body.judge().clearance_m(); }),
+                             "From the robot's outline to the nearest thing, now; 0: touching.")
       .def_property_readonly("over", &SteppedWorld::over,
                              "The run has ended: the goal line is crossed, or the time is up.")
+      .def_property_readonly("now_s",
+                             asks([](const Body& body) { return to_seconds(body.clock().now()); }),
+                             "The robot's clock, s: it moves with step() alone.")
+      .def_property_readonly("robot", &SteppedWorld::robot, "Its shape and limits.")
       .def_property_readonly(
-          "now_s", [](const SteppedWorld& w) { return to_seconds(w.body().clock().now()); },
-          "The robot's clock, s: it moves with step() alone.")
-      .def_property_readonly(
-          "robot", [](const SteppedWorld& w) { return w.body().description(); },
-          "Its shape and limits.")
-      .def_property_readonly(
-          "world", [](const SteppedWorld& w) { return text_of(w.body().world().name); },
+          "world",
+          [](const SteppedWorld& w) {
+            return text_of(w.ask([](const Body& body) { return body.world().name; }));
+          },
           "Name of the world.")
-      .def_property_readonly(
-          "start", [](const SteppedWorld& w) { return w.body().world().start; },
-          "Where the run began, in the corridor.")
+      .def_property_readonly("start", asks([](const Body& body) { return body.world().start; }),
+                             "Where the run began, in the corridor.")
       .def_property_readonly("goal_beyond_m",
-                             [](const SteppedWorld& w) { return w.body().world().goal_beyond_m; });
+                             asks([](const Body& body) { return body.world().goal_beyond_m; }));
 }
 
 }  // namespace
@@ -137,7 +157,7 @@ void bind_simulator(py::module_& module) {
           "step",
           [](SteppedWorld& self, double forward_m_s, double turn_rad_s, double pan_rad,
              const std::optional<double>& tilt_rad) {
-            const double tilt = tilt_rad.value_or(self.body().description().resting_tilt_rad);
+            const double tilt = tilt_rad.value_or(self.robot().resting_tilt_rad);
             return self.step({forward_m_s, turn_rad_s, pan_rad, tilt});
           },
           py::arg("forward_m_s") = 0.0, py::arg("turn_rad_s") = 0.0, py::arg("pan_rad") = 0.0,

@@ -16,16 +16,15 @@ MemoryReader::MemoryReader(const std::filesystem::path& file)
 
 std::vector<agent::KnownThing> MemoryReader::recognise(const cv::Mat3b& picture,
                                                        const std::vector<std::string>& only) {
-  const std::int64_t now = read("looking up its landmarks", [this](memory::MemoryTables&) {
-    return file_->database().execAndGet("PRAGMA data_version").getInt64();
-  });
   const std::lock_guard one_at_a_time(mutex_);
-  if (!things_ || only != only_ || now != known_) {
-    things_ = std::make_unique<agent::KnownThings>(agent::read_landmark_knowledge(path_),
+  read_locked("looking up its landmarks", [&](memory::MemoryTables& tables) {
+    const std::int64_t now = file_->database().execAndGet("PRAGMA data_version").getInt64();
+    if (things_ && only == only_ && now == known_) return;
+    things_ = std::make_unique<agent::KnownThings>(agent::landmark_knowledge_of(tables),
                                                    perception::RecognitionSettings{}, only);
     only_ = only;
     known_ = now;
-  }
+  });
   return things_->find(picture);
 }
 

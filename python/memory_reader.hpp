@@ -28,13 +28,7 @@ class MemoryReader {
   template <class Work>
   auto read(const char* doing, Work work) {
     const std::lock_guard one_at_a_time(mutex_);
-    if (!tables_) throw UserError(path_ + ": this memory has been closed");
-    try {
-      const SQLite::Transaction snapshot(file_->database());
-      return work(*tables_);
-    } catch (const SQLite::Exception& error) {
-      memory::throw_memory_error(path_, doing, error);
-    }
+    return read_locked(doing, work);
   }
 
   /// What it knows is read at the first look, and again where the file has changed since.
@@ -44,9 +38,23 @@ class MemoryReader {
 
   [[nodiscard]] const std::string& path() const { return path_; }
   [[nodiscard]] const std::vector<std::string>& notices() const { return notices_; }
-  [[nodiscard]] bool closed() const { return tables_ == nullptr; }
+  [[nodiscard]] bool closed() const {
+    const std::lock_guard one_at_a_time(mutex_);
+    return tables_ == nullptr;
+  }
 
  private:
+  template <class Work>
+  auto read_locked(const char* doing, Work work) {
+    if (!tables_) throw UserError(path_ + ": this memory has been closed");
+    try {
+      const SQLite::Transaction snapshot(file_->database());
+      return work(*tables_);
+    } catch (const SQLite::Exception& error) {
+      memory::throw_memory_error(path_, doing, error);
+    }
+  }
+
   std::unique_ptr<memory::MemoryFile> file_;
   std::unique_ptr<memory::MemoryTables> tables_;  ///< none: it is closed
   std::string path_;
@@ -54,7 +62,7 @@ class MemoryReader {
   std::unique_ptr<agent::KnownThings> things_;
   std::vector<std::string> only_;
   std::int64_t known_ = 0;  ///< SQLite counts it up when somebody else has changed the file
-  std::mutex mutex_;
+  mutable std::mutex mutex_;
 };
 
 }  // namespace striate::python

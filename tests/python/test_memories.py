@@ -1,13 +1,15 @@
 """Long-term memories and recordings, as the command line shows them."""
 
+import ast
 import json
 import math
+import os
 import unittest
 
 import numpy as np
 
 import striate
-from support import MISSION, InScratchFolder, pair, program, write_ppm
+from support import MISSION, InScratchFolder, members_in, pair, program, script, tree_of_stub, write_ppm
 
 
 class Memories(InScratchFolder):
@@ -69,6 +71,43 @@ class Memories(InScratchFolder):
         middle = np.mean(found[0].quad, axis=0)
         self.assertLess(np.hypot(*(middle - (169.5, 139.5))), 5.0)  # where the book was cut out
 
+    def test_is_the_same_from_another_folder(self):
+        before = os.getcwd()
+        self.addCleanup(os.chdir, before)
+        os.chdir(self.folder)
+        with striate.Memory("home.db") as memory:
+            os.chdir(before)
+            self.assertEqual([one.name for one in memory.recognise(self.image, ["book"])], ["book"])
+            self.assertEqual(memory.path, "home.db")
+
+    def test_recognising_says_nothing_beside(self):
+        # A memory of a crashed program is told of by `notices`; a library prints nothing.
+        code = ("import sys, striate\nmemory = striate.Memory(sys.argv[1])\n"
+                "memory.recognise(striate.read_image(sys.argv[2]))\n")
+        crashed = script("import os, sys, striate\n"
+                         "striate.run('corridor', world='short', memory=sys.argv[1],\n"
+                         "            each_cycle=lambda cycle: cycle.number < 3 or os._exit(0))\n", self.home)
+        self.assertEqual(crashed.communicate()[1], "")
+        self.assertEqual(script(code, self.home, self.folder / "book.ppm").communicate(), ("", ""))
+
+    def test_records_have_the_fields_of_the_stub(self):
+        kept = json.loads(program("memory", self.home, "export", "-")[0])
+        ids = [one["id"] for one in kept["landmarks"]]
+        kept["routes"] = [{"from": ids[0], "to": ids[1], "distance_m": 2.0, "turn_rad": 0.1, "distance_var_m2": 0.1,
+                           "turn_var_rad2": 0.1, "successes": 1, "failures": 0}]
+        kept["obstacle_cells"] = [{"column": 3, "row": -2, "log_odds": 1.5, "seen_s": 0.5}]
+        filled = self.folder / "filled.db"
+        program("memory", filled, "import", self.file("filled.json", json.dumps(kept)))
+        with striate.Memory(filled) as memory:
+            records = [memory.landmarks()[0], memory.episodes()[0], memory.sessions()[0], memory.routes()[0],
+                       memory.obstacle_cells()[0], memory.recognise(self.image)[0]]
+        stub = {node.name: members_in(node) for node in tree_of_stub().values() if isinstance(node, ast.ClassDef)}
+        for record in records:
+            with self.subTest(record=type(record).__name__):
+                self.assertEqual(set(record) - {"from"}, stub[type(record).__name__])  # a word of Python's
+        result = striate.run("corridor", world="short", each_cycle=lambda cycle: False)
+        self.assertEqual(stub["RunResult"] - set(result), {"json", "losses", "notices"})
+
     def test_what_was_taught_since_is_recognised(self):
         with striate.Memory(self.home) as memory:
             self.assertEqual({one.name for one in memory.recognise(self.image)} & {"corner"}, set())
@@ -105,6 +144,14 @@ class Recordings(InScratchFolder):
             if left is not None:
                 self.assertTrue((cycle.senses.left == left).all())
         self.assertEqual(len(list(recording)), len(again))  # once more from the beginning
+        before = os.getcwd()
+        self.addCleanup(os.chdir, before)
+        os.chdir(self.folder)
+        named = striate.Recording("run.rec")
+        os.chdir(before)
+        self.assertEqual(named.file, "run.rec")
+        self.assertEqual(len(list(named)), len(again))
+        self.assertEqual(named.recall(cycle=2)["cycle"], 2)
         self.assertEqual(recording.seed, 3)
         self.assertTrue(recording.world.endswith("world.yaml"))
         self.assertIn("perception.stereo.mode", recording.settings)

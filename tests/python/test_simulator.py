@@ -1,6 +1,7 @@
 """The simulated Pioneer, a step at a time."""
 
 import math
+import threading
 import unittest
 
 import striate
@@ -57,6 +58,29 @@ class Simulators(InScratchFolder):
             world.step(forward_m_s=0.5)
         self.assertIn("box", world.collisions[0]["hit"])
         self.assertEqual(world.clearance_m, 0.0)
+
+    def test_a_pose_is_unlike_anything_else(self):
+        pose = striate.Pose(1.0, 2.0, 0.5)
+        self.assertEqual(pose, striate.Pose(1.0, 2.0, 0.5))
+        self.assertNotEqual(pose, striate.Pose(1.0, 2.0, 0.6))
+        self.assertFalse(pose == None)  # noqa: E711: what is asked here
+        self.assertTrue(pose != 3)
+        self.assertNotIn(pose, [3, None, "pose"])
+
+    def test_is_asked_by_one_thread_while_another_steps_it(self):
+        world = striate.Simulator(SHORT, seed=2)
+        steps = threading.Thread(target=lambda: [world.step(forward_m_s=0.3) for _ in range(20)])
+        steps.start()
+        times_s, lengths_m = [], []
+        while steps.is_alive():
+            times_s.append(world.now_s)
+            lengths_m.append(world.distance_driven_m)
+            self.assertEqual((world.collisions, world.over, world.reached_goal), ([], False, False))
+            self.assertGreater(world.clearance_m, 0.0)
+        steps.join()
+        self.assertEqual(times_s, sorted(times_s))
+        self.assertEqual(lengths_m, sorted(lengths_m))
+        self.assertAlmostEqual(world.now_s, 2.0)
 
     def test_starts_where_it_is_put_or_says_why_not(self):
         world = striate.Simulator("short", start=striate.Pose(4.0, 0.2, 0.1))
