@@ -72,11 +72,6 @@ class RunResult(Record):
         super().__init__(entries)
         self._texts = (text, losses, notices)
 
-    def __getattr__(self, name):
-        if name.startswith("_"):
-            raise AttributeError(name)
-        return super().__getattr__(name)
-
     @property
     def json(self):
         """The text that `striate run --result` writes."""
