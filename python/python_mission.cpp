@@ -63,18 +63,23 @@ class PythonOnlooker {
   explicit PythonOnlooker(const MissionRequest& request)
       : request_(request), looks_on_(!request.each_cycle.is_none()) {}
 
+  /// Until the callback asks for the end: the task's `finally` drives then.
   void take_the_wheel(agent::Mission& mission) const {
     if (request_.pilot.is_none()) return;
-    mission.set_pilot([this, &mission](TimePoint) { return wish_of_pilot(mission); });
+    mission.set_pilot([this, &mission](TimePoint) {
+      return ends_ ? std::optional<behaviours::Wish>() : wish_of_pilot(mission);
+    });
   }
 
   /// @return whether the mission is to end @throws std::runtime_error where the interpreter ends
-  [[nodiscard]] bool look(const agent::Mission& mission) const {
+  [[nodiscard]] bool look(const agent::Mission& mission) {
     running_missions().check();  // before the lock, which an interpreter that ends does not give
     if (!looks_on_ && !request_.hears_signals) return false;
     return in_python("the callback", [&] {
       if (request_.hears_signals && PyErr_CheckSignals() != 0) throw py::error_already_set();
-      return looks_on_ && asks_for_the_end(mission);
+      const bool asked = looks_on_ && asks_for_the_end(mission);
+      ends_ = ends_ || asked;
+      return asked;
     });
   }
 
@@ -106,6 +111,7 @@ class PythonOnlooker {
 
   const MissionRequest& request_;
   bool looks_on_;
+  bool ends_ = false;
 };
 
 /// What is written down of a mission: never a reason for it to end.
@@ -164,7 +170,7 @@ MissionOutcome run_unlocked(const MissionRequest& request) {
   MissionOutcome outcome;
   outcome.notices = mission.notices();
   PythonKeepers keepers(request, recorder, mission);
-  const PythonOnlooker onlooker(request);
+  PythonOnlooker onlooker(request);
   onlooker.take_the_wheel(mission);
   app::Pace pace(request.real_time ? 1.0 : 0.0);
   outcome.result = mission.run([&](const agent::Mission& now) {

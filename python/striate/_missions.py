@@ -43,7 +43,7 @@ def run(task, *, world="", seed=1, robot="", memory="", record="", result="", va
     None, asks for a safe end: the task's `finally` runs. What it raises stops the wheels at once and
     is raised here.
     pilot: called as pilot(memory) once a cycle; a Wish takes the wheel through the safety limiter,
-    None leaves it to the task.
+    None leaves it to the task. It is not asked any more once each_cycle asked for the end.
 
     Ctrl-C stops the wheels at the end of the cycle and raises KeyboardInterrupt here; what was
     driven until then is in memory, recording and result. SIGTERM does the same with SystemExit (143),

@@ -141,6 +141,21 @@ class Missions(InScratchFolder):
         self.assertEqual(sent[18][0], "behaviour")
         self.assertLessEqual(max(speed for _, speed in sent), 0.75)
 
+    def test_a_pilot_leaves_the_safe_end_to_the_task(self):
+        drivers = []
+
+        def look(cycle):
+            drivers.append(cycle.driver)
+            return cycle.number != 5 and cycle.number < 80
+
+        for task in (TASK, ""):
+            drivers.clear()
+            result = striate.run(task, world=WORLD, seed=3, each_cycle=look,
+                                 pilot=lambda memory: striate.Wish(forward_m_s=0.3))
+            self.assertEqual(result.outcome, "interrupted")
+            self.assertLess(result.cycles, 60)
+            self.assertNotIn("pilot", drivers[6:])
+
     def test_a_pilot_that_fails_ends_it(self):
         for pilot, says in ((lambda memory: 7, "must return a striate.Wish, not int"),
                             (lambda memory: striate.Wish(forward_m_s=float("nan")), "finite"),
