@@ -1,14 +1,13 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <opencv2/imgcodecs.hpp>
 
+#include "striate/agent/landmark_list.hpp"
 #include "striate/agent/memory_json.hpp"
 #include "striate/base/user_error.hpp"
-#include "striate/memory/long_term/activation.hpp"
 #include "striate/memory/long_term/forgetting.hpp"
 #include "striate/python/arrays.hpp"
 #include "striate/python/bindings.hpp"
@@ -33,19 +32,6 @@ template <class Records>
 ordered_json json_of(const Records& records) {
   ordered_json list = ordered_json::array();
   for (const auto& one : records) list.push_back(agent::to_json(one));
-  return list;
-}
-
-ordered_json landmarks(memory::MemoryTables& tables, bool forgotten) {
-  const memory::Situation now{tables.sessions.operating_now_s(), 0, {}};
-  ordered_json list = ordered_json::array();
-  for (const memory::Landmark& one : tables.landmarks.all(forgotten)) {
-    list.push_back(agent::to_json(one));
-    list.back()["activation"] = memory::activation_of(one, now, {}, {}).total();
-  }
-  std::stable_sort(list.begin(), list.end(), [](const ordered_json& a, const ordered_json& b) {
-    return a["activation"].get<double>() > b["activation"].get<double>();
-  });
   return list;
 }
 
@@ -140,7 +126,7 @@ void add_memory_lists(Class& memory) {
           [](MemoryReader& reader, bool forgotten) {
             return object_of(
                 read_unlocked(reader, "listing it", [forgotten](memory::MemoryTables& tables) {
-                  return landmarks(tables, forgotten);
+                  return agent::to_json(agent::list_landmarks(tables, forgotten, {}));
                 }));
           },
           py::arg("forgotten"))

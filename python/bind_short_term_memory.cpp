@@ -1,6 +1,8 @@
 #include <pybind11/stl.h>
 
+#include "striate/agent/recall/memory_state.hpp"
 #include "striate/python/bindings.hpp"
+#include "striate/python/json_objects.hpp"
 #include "striate/python/lent_parts.hpp"
 #include "striate/python/texts.hpp"
 
@@ -62,16 +64,20 @@ void add_seen(MemoryClass& memory) {
           [](const LentMemory& m, const std::string& name) { return m.get().figure(name); },
           py::arg("name"),
           "What a stage of a plugin found in the newest image, 'STAGE.FIGURE'; nan: not known.")
-      .def_property_readonly("corridor", &corridor_of,
-                             "Dict: axis_rad (robot frame), offset_left_m (of the robot from the "
-                             "middle), width_m, width_known, left_wall_m, right_wall_m (inf: not "
-                             "seen).")
-      .def_property_readonly("salient_regions", &regions_of,
-                             "A dict each: id, bearing_rad, distance_m (inf: unknown), size_rad, "
-                             "salience, hits, activation, seen_s_ago.")
-      .def_property_readonly("landmarks", &landmarks_of,
-                             "A dict each: name, sightings, confirmed, score, bearing_rad, "
-                             "distance_m, seen_s_ago (None: unknown).")
+      .def_property_readonly(
+          "corridor", [](const LentMemory& m) { return object_of(agent::corridor_state(m.get())); },
+          "Dict: axis_rad (robot frame), offset_left_m (of the robot from the middle), width_m, "
+          "width_known, left_wall_m, right_wall_m (inf: not seen), progress_m.")
+      .def_property_readonly(
+          "salient_regions",
+          [](const LentMemory& m) { return object_of(agent::salient_regions_state(m.get())); },
+          "A dict each: id, bearing_rad, distance_m (inf: unknown), size_rad, salience, hits, "
+          "activation, seen_s_ago, inhibited (looked at lately).")
+      .def_property_readonly(
+          "landmarks",
+          [](const LentMemory& m) { return object_of(agent::landmarks_state(m.get())); },
+          "A dict each: name, sightings, confirmed, score, bearing_rad, distance_m, sigma_m (of "
+          "its place), seen_s_ago (None: unknown).")
       .def("polar_map", &polar_of,
            "The egocentric map. Dict of arrays: state (72, 16) uint8 (0 unknown, 1 free, 2 "
            "occupied), log_odds, age_s, moving (72, 16) float32, to_m (16,) outer edges of the "

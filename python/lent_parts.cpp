@@ -1,68 +1,13 @@
 #include "striate/python/lent_parts.hpp"
 
-#include <cmath>
 #include <opencv2/core.hpp>
 
 #include "striate/python/arrays.hpp"
-#include "striate/python/texts.hpp"
 
 namespace striate::python {
 
 using memory::LocalGrid;
 using memory::PolarMap;
-
-py::dict corridor_of(const LentMemory& lent) {
-  const memory::CorridorMemory& corridor = lent.get().corridor();
-  py::dict dict;
-  dict["axis_rad"] = wrap_angle(corridor.axis_rad() - lent.get().pose().heading_rad);
-  dict["offset_left_m"] = corridor.offset_m();
-  dict["width_m"] = corridor.width_m();
-  dict["width_known"] = corridor.width_known();
-  dict["left_wall_m"] = corridor.left_m();
-  dict["right_wall_m"] = corridor.right_m();
-  return dict;
-}
-
-py::list regions_of(const LentMemory& lent) {
-  const memory::ShortTermMemory& memory = lent.get();
-  py::list list;
-  for (const memory::RememberedRegion& one : memory.salient().regions()) {
-    if (!one.used) continue;
-    py::dict dict;
-    dict["id"] = one.id;
-    dict["bearing_rad"] = one.bearing_rad;
-    dict["distance_m"] = one.distance_m;
-    dict["size_rad"] = one.size_rad;
-    dict["salience"] = one.salience;
-    dict["hits"] = one.hits;
-    dict["activation"] = one.activation;
-    dict["seen_s_ago"] = to_seconds(memory.now() - one.last_seen);
-    list.append(dict);
-  }
-  return list;
-}
-
-py::list landmarks_of(const LentMemory& lent) {
-  const memory::ShortTermMemory& memory = lent.get();
-  py::list list;
-  for (const memory::LandmarkInMind& one : memory.landmarks().all()) {
-    if (one.landmark == 0) continue;
-    const Point2 place = inverse_transform(memory.pose(), one.place);
-    py::dict dict;
-    dict["name"] = text_of(one.name.view());
-    dict["sightings"] = one.sightings;
-    dict["confirmed"] = one.confirmed;
-    dict["score"] = one.score;
-    dict["bearing_rad"] = one.bearing_rad;
-    dict["distance_m"] =
-        one.place_known ? py::object(py::float_(std::hypot(place.x_m, place.y_m))) : py::none();
-    dict["seen_s_ago"] = one.sightings > 0
-                             ? py::object(py::float_(to_seconds(memory.now() - one.last_seen)))
-                             : py::none();
-    list.append(dict);
-  }
-  return list;
-}
 
 py::dict polar_of(const LentMemory& lent) {
   const PolarMap map = lent.get().polar_map();

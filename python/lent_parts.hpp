@@ -4,14 +4,11 @@
 
 #include "striate/python/lent_memory.hpp"
 
-/// Parts of short-term memory as Python's dicts and arrays.
+/// Parts of short-term memory as Python's arrays.
 namespace striate::python {
 
 namespace py = pybind11;
 
-[[nodiscard]] py::dict corridor_of(const LentMemory& lent);
-[[nodiscard]] py::list regions_of(const LentMemory& lent);
-[[nodiscard]] py::list landmarks_of(const LentMemory& lent);
 /// Rows are sectors, columns rings.
 [[nodiscard]] py::dict polar_of(const LentMemory& lent);
 /// The grid's window: row 0 has the least y, column 0 the least x.

@@ -21,8 +21,7 @@ constexpr std::array<std::pair<Progress, const char*>, 3> kProgresses{
      {Progress::succeeded, "succeeded"},
      {Progress::failed, "failed"}}};
 
-}  // namespace
-
+/// @throws UserError for another
 Progress progress_named(const std::string& name) {
   for (const auto& [progress, known] : kProgresses) {
     if (name == known) return progress;
@@ -30,12 +29,14 @@ Progress progress_named(const std::string& name) {
   throw UserError(fmt::format("progress '{}': choose running, succeeded or failed", name));
 }
 
-const char* name_of(Progress progress) {
+const char* progress_name(Progress progress) {
   for (const auto& [known, name] : kProgresses) {
     if (known == progress) return name;
   }
   return "running";
 }
+
+}  // namespace
 
 behaviours::Wish wish_of(const AskedWish& asked, const memory::ShortTermMemory& memory) {
   behaviours::Wish wish = behaviours::standing_wish(memory, std::string_view(asked.why));
@@ -86,7 +87,7 @@ void bind_wish(py::module_& module) {
       .def_readwrite("pan_rad", &AskedWish::pan_rad)
       .def_readwrite("tilt_rad", &AskedWish::tilt_rad)
       .def_property(
-          "progress", [](const AskedWish& wish) { return name_of(wish.progress); },
+          "progress", [](const AskedWish& wish) { return progress_name(wish.progress); },
           [](AskedWish& wish, const std::string& name) { wish.progress = progress_named(name); },
           "'running', 'succeeded' or 'failed'.")
       .def_property(
@@ -94,7 +95,7 @@ void bind_wish(py::module_& module) {
           [](AskedWish& wish, const std::string& why) { wish.why = why; }, "In words for a person.")
       .def("__repr__", [](const AskedWish& wish) {
         return text_of(fmt::format("Wish(forward_m_s={}, turn_rad_s={}, progress='{}', why='{}')",
-                                   wish.forward_m_s, wish.turn_rad_s, name_of(wish.progress),
+                                   wish.forward_m_s, wish.turn_rad_s, progress_name(wish.progress),
                                    wish.why));
       });
 }

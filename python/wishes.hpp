@@ -19,10 +19,6 @@ struct AskedWish {
   std::string why;
 };
 
-/// "running", "succeeded", "failed". @throws UserError for another
-[[nodiscard]] behaviours::Progress progress_named(const std::string& name);
-[[nodiscard]] const char* name_of(behaviours::Progress progress);
-
 /// As the cycle takes it, of now.
 /// @throws UserError for numbers that are not finite
 [[nodiscard]] behaviours::Wish wish_of(const AskedWish& asked,

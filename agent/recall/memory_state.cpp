@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <fstream>
+#include <utility>
 
 #include "striate/base/user_error.hpp"
 
@@ -17,8 +18,12 @@ constexpr double kMoves = 0.5;  // share of a column that moved, as MotionSettin
 constexpr std::size_t kCommandsShown = 10;  // a second of commands
 
 /// JSON has no infinity: what is not known is null.
-Json known(double value) {
-  return std::isfinite(value) ? Json(value) : Json(nullptr);
+Json known(Json json) {
+  if (json.is_number_float() && !std::isfinite(json.get<double>())) return nullptr;
+  if (json.is_structured()) {
+    for (Json& inner : json) inner = known(std::move(inner));
+  }
+  return json;
 }
 
 char letter_of(const memory::PolarMap::Cell& cell) {
@@ -41,24 +46,40 @@ Json polar_map(const memory::ShortTermMemory& memory) {
   return rings;
 }
 
-Json corridor(const memory::ShortTermMemory& memory) {
+Json commands(const memory::ShortTermMemory& memory, std::uint64_t cycles) {
+  Json list = Json::array();
+  for (std::size_t back = 0; back < std::min<std::uint64_t>(kCommandsShown, cycles); ++back) {
+    const memory::ShortTermMemory::SentCommand& one = memory.sent(back);
+    list.push_back({{"time_s", to_seconds(one.stamp)},
+                    {"forward_m_s", one.command.forward_m_s},
+                    {"turn_rad_s", one.command.turn_rad_s},
+                    {"pan_rad", one.command.pan_rad},
+                    {"tilt_rad", one.command.tilt_rad},
+                    {"action", one.doing.view()}});
+  }
+  return list;
+}
+
+}  // namespace
+
+nlohmann::ordered_json corridor_state(const memory::ShortTermMemory& memory) {
   const memory::CorridorMemory& corridor = memory.corridor();
   return {{"axis_rad", wrap_angle(corridor.axis_rad() - memory.pose().heading_rad)},
           {"offset_left_m", corridor.offset_m()},
           {"width_m", corridor.width_m()},
           {"width_known", corridor.width_known()},
-          {"left_wall_m", known(corridor.left_m())},
-          {"right_wall_m", known(corridor.right_m())},
+          {"left_wall_m", corridor.left_m()},
+          {"right_wall_m", corridor.right_m()},
           {"progress_m", corridor.progress_m()}};
 }
 
-Json salient_regions(const memory::ShortTermMemory& memory) {
+nlohmann::ordered_json salient_regions_state(const memory::ShortTermMemory& memory) {
   Json list = Json::array();
   for (const memory::RememberedRegion& one : memory.salient().regions()) {
     if (!one.used) continue;
     list.push_back({{"id", one.id},
                     {"bearing_rad", one.bearing_rad},
-                    {"distance_m", known(one.distance_m)},
+                    {"distance_m", one.distance_m},
                     {"size_rad", one.size_rad},
                     {"salience", one.salience},
                     {"hits", one.hits},
@@ -69,7 +90,7 @@ Json salient_regions(const memory::ShortTermMemory& memory) {
   return list;
 }
 
-Json landmarks(const memory::ShortTermMemory& memory) {
+nlohmann::ordered_json landmarks_state(const memory::ShortTermMemory& memory) {
   Json list = Json::array();
   for (const memory::LandmarkInMind& one : memory.landmarks().all()) {
     if (one.landmark == 0) continue;
@@ -87,22 +108,6 @@ Json landmarks(const memory::ShortTermMemory& memory) {
   }
   return list;
 }
-
-Json commands(const memory::ShortTermMemory& memory, std::uint64_t cycles) {
-  Json list = Json::array();
-  for (std::size_t back = 0; back < std::min<std::uint64_t>(kCommandsShown, cycles); ++back) {
-    const memory::ShortTermMemory::SentCommand& one = memory.sent(back);
-    list.push_back({{"time_s", to_seconds(one.stamp)},
-                    {"forward_m_s", one.command.forward_m_s},
-                    {"turn_rad_s", one.command.turn_rad_s},
-                    {"pan_rad", one.command.pan_rad},
-                    {"tilt_rad", one.command.tilt_rad},
-                    {"action", one.doing.view()}});
-  }
-  return list;
-}
-
-}  // namespace
 
 nlohmann::ordered_json memory_state(const CognitiveCycle& cycle, const tasks::Executive& executive,
                                     std::uint64_t number) {
@@ -127,10 +132,10 @@ nlohmann::ordered_json memory_state(const CognitiveCycle& cycle, const tasks::Ex
             {"light_level", memory.light_level()},
             {"noise_level", memory.noise_level()},
             {"seen_share", memory.seen_share()}}},
-          {"corridor", corridor(memory)},
+          {"corridor", known(corridor_state(memory))},
           {"polar_map", polar_map(memory)},
-          {"salient_regions", salient_regions(memory)},
-          {"landmarks", landmarks(memory)},
+          {"salient_regions", known(salient_regions_state(memory))},
+          {"landmarks", known(landmarks_state(memory))},
           {"commands", commands(memory, number)}};
 }
 

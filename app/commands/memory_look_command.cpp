@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
-#include <algorithm>
-
+#include "striate/agent/landmark_list.hpp"
 #include "striate/agent/memory_json.hpp"
 #include "striate/agent/open_memory.hpp"
 #include "striate/agent/pictures/memory_pictures.hpp"
@@ -35,31 +34,20 @@ void list(const MemoryCommandOptions& options, bool with_retired) {
   agent::with_memory(
       options.file, memory::Access::read, "listing it",
       [&](memory::MemoryTables& tables, memory::MemoryFile&) {
-        const memory::LongTermSettings settings = options.settings();
-        const memory::Situation situation{tables.sessions.operating_now_s(), 0, {}};
-        std::vector<std::pair<double, memory::Landmark>> rows;
-        for (const memory::Landmark& landmark : tables.landmarks.all(with_retired)) {
-          rows.emplace_back(memory::activation_of(landmark, situation, {}, settings).total(),
-                            landmark);
-        }
-        std::stable_sort(rows.begin(), rows.end(),
-                         [](const auto& a, const auto& b) { return a.first > b.first; });
+        const std::vector<agent::ListedLandmark> rows =
+            agent::list_landmarks(tables, with_retired, options.settings());
         if (options.json) {
-          nlohmann::ordered_json json = nlohmann::ordered_json::array();
-          for (const auto& [activation, landmark] : rows) {
-            json.push_back(agent::to_json(landmark));
-            json.back()["activation"] = activation;
-          }
-          fmt::print("{}", agent::print_json(json));
+          fmt::print("{}", agent::print_json(agent::to_json(rows)));
           return;
         }
+        const double now_s = tables.sessions.operating_now_s();
         TextTable table({"name", "kind", ">views", ">keypoints", ">strength", ">activation",
                          ">uses", ">last used", "place", "state"});
         for (const auto& [activation, landmark] : rows) {
           table.add({landmark.name, name_of(landmark.kind), std::to_string(landmark.views),
                      std::to_string(landmark.keypoints), fmt::format("{:.2f}", landmark.strength),
                      fmt::format("{:+.2f}", activation), std::to_string(landmark.history.uses),
-                     ago(landmark, situation.now_s), pose_text(landmark), state_text(landmark)});
+                     ago(landmark, now_s), pose_text(landmark), state_text(landmark)});
         }
         fmt::print(
             "{}", table.empty() ? options.file + ": no landmark\n" : table.print(terminal_width()));

@@ -1,6 +1,7 @@
 """Missions from Python: the program's own, looked at, steered and ended."""
 
 import json
+import math
 import os
 import signal
 import threading
@@ -31,7 +32,10 @@ class Missions(InScratchFolder):
         self.assertEqual(result.losses, "")
 
     def test_a_callback_sees_the_whole_cycle(self):
-        kept = []
+        kept, regions = [], []
+
+        def known(part):
+            return {name: None if value == math.inf else value for name, value in part.items()}
 
         def look(cycle):
             memory = cycle.memory
@@ -43,15 +47,17 @@ class Missions(InScratchFolder):
             self.assertEqual(memory.polar_map()["state"].shape, (72, 16))
             self.assertEqual(memory.grid().shape, (256, 256))
             self.assertEqual(memory.trajectory.shape[1], 2)
-            self.assertIn("width_m", memory.corridor)
-            self.assertIsInstance(memory.salient_regions, list)
-            self.assertEqual(memory.landmarks, [])
+            self.assertEqual(known(memory.corridor), state["corridor"])
+            self.assertEqual([known(one) for one in memory.salient_regions], state["salient_regions"])
+            self.assertEqual(memory.landmarks, state["landmarks"])
+            regions.extend(memory.salient_regions)
             self.assertGreater(memory.robot.max_forward_m_s, 0.1)
             kept.append(cycle)
             return cycle.number < 6
 
         result = striate.run(TASK, world=WORLD, seed=3, each_cycle=look)
         self.assertEqual(result.outcome, "interrupted")
+        self.assertGreater(len(regions), 0)
         self.assertIn("traverse_corridor", {cycle.action for cycle in kept})
         self.assertTrue(any(cycle.senses.left is not None for cycle in kept))
         last = kept[5]
@@ -196,6 +202,7 @@ class Missions(InScratchFolder):
         striate.run(TASK, world=WORLD, seed=3, memory=home, each_cycle=lambda cycle: cycle.number < 5)
         with striate.Memory(home) as memory:
             self.assertTrue(memory.sessions()[0].outcome.startswith("interrupted"))
+            self.assertRegex(memory.sessions()[0].settings, f"^{TASK} in .*, seed 3$")
             self.assertEqual({"start", "end"} & {one.kind for one in memory.episodes()}, {"start", "end"})
 
     def test_missions_in_threads_do_not_disturb_each_other(self):
