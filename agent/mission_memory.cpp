@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "striate/agent/open_memory.hpp"
+#include "striate/agent/simulated_body.hpp"
 #include "striate/memory/localisation/map_keeping.hpp"
 #include "striate/memory/long_term/learning.hpp"
 
@@ -14,18 +15,25 @@ namespace {
 constexpr double kNoteTimeEvery_s = 60.0;  ///< what a crash may lose of the operating time
 constexpr double kKeepMapEvery_s = 30.0;   ///< and of what was learned of places
 
+/// Which session that was: task, and world or robot.
+std::string session_title(const Mission& mission, const std::string& task) {
+  if (mission.simulated() == nullptr) return fmt::format("{} with {}", task, mission.robot_file());
+  return fmt::format("{} in {}, seed {}", task, mission.place(),
+                     mission.simulated()->options().seed);
+}
+
 }  // namespace
 
-MissionMemory::MissionMemory(const std::string& file, const std::string& robot,
-                             const std::string& doing) {
+MissionMemory::MissionMemory(const std::string& file, const Mission& mission,
+                             const std::string& task) {
   if (file.empty()) return;
-  settings_ = load_robot_settings(robot).long_term_memory;
+  settings_ = mission.settings().long_term_memory;
   const memory::MemoryOptions options = memory_options(memory::Access::session, "striate run");
   writer_ = std::make_unique<memory::MemoryWriter>(file, options);
   print_notices(writer_->notices());
   writer_->commit([&](memory::MemoryTables& tables) {
-    session_ = tables.sessions.begin(memory::SessionKind::mission, software_name(), doing,
-                                     options.now_unix_s);
+    session_ = tables.sessions.begin(memory::SessionKind::mission, software_name(),
+                                     session_title(mission, task), options.now_unix_s);
     memory::Episode start;
     start.session = session_.id;
     start.time_s = session_.operating_start_s;
@@ -35,8 +43,13 @@ MissionMemory::MissionMemory(const std::string& file, const std::string& robot,
   });
 }
 
-void MissionMemory::take(CognitiveCycle& cycle) {
+void MissionMemory::take(Mission& mission) {
   if (writer_ == nullptr) return;
+  take(mission.cycle());
+  if (mission.judge() != nullptr) take(*mission.judge());
+}
+
+void MissionMemory::take(CognitiveCycle& cycle) {
   now_ = cycle.trace().senses.now;
   pose_ = cycle.trace().senses.odometry.pose;
   take_map(cycle);
@@ -54,7 +67,6 @@ void MissionMemory::take(CognitiveCycle& cycle) {
 }
 
 void MissionMemory::take(const simulator::Judge& judge) {
-  if (writer_ == nullptr) return;
   for (; collisions_ < judge.collisions().size(); ++collisions_) {
     const std::string& hit = judge.collisions()[collisions_].hit;
     note("collision", hit, "touched " + hit);
@@ -86,8 +98,9 @@ void MissionMemory::keep_lessons(const CycleTrace& trace) {
   }
 }
 
-std::string MissionMemory::finish(CognitiveCycle& cycle, const RunResult& result) {
+std::string MissionMemory::finish(Mission& mission, const RunResult& result) {
   if (writer_ == nullptr) return {};
+  CognitiveCycle& cycle = mission.cycle();
   std::string lost;
   cycle.close_map(row_of(result.outcome).failed);
   try {

@@ -3,7 +3,7 @@
 #include <memory>
 #include <string>
 
-#include "striate/agent/cognitive_cycle.hpp"
+#include "striate/agent/mission.hpp"
 #include "striate/agent/run_result.hpp"
 #include "striate/memory/long_term/episode_gate.hpp"
 #include "striate/memory/long_term/memory_writer.hpp"
@@ -15,18 +15,19 @@ namespace striate::agent {
 /// outside: nothing of it reaches the driving, and the writer's thread alone touches the disk.
 class MissionMemory {
  public:
-  /// @param file "" for none. @param robot its settings file, "" for none. @param doing for the
-  /// session: task, world or robot. @throws UserError where it cannot be opened; nothing has moved.
-  MissionMemory(const std::string& file, const std::string& robot, const std::string& doing);
+  /// @param file "" for none. @param task its file, for the name of the session. @throws UserError
+  /// where the memory cannot be opened; nothing has moved.
+  MissionMemory(const std::string& file, const Mission& mission, const std::string& task);
 
-  /// Called each cycle.
-  void take(CognitiveCycle& cycle);
-  /// After it, in a simulated world: what only a judge beside the robot knows.
-  void take(const simulator::Judge& judge);
+  /// Called after each cycle.
+  void take(Mission& mission);
   /// Closes the session. @return what could not be kept, a line each; "" for nothing
-  std::string finish(CognitiveCycle& cycle, const RunResult& result);
+  std::string finish(Mission& mission, const RunResult& result);
 
  private:
+  void take(CognitiveCycle& cycle);
+  /// In a simulated world: what only a judge beside the robot knows.
+  void take(const simulator::Judge& judge);
   /// What is new about places goes to the writer, now and then.
   void take_map(CognitiveCycle& cycle);
   /// What looks have taught: landmarks grow stronger or weaker.

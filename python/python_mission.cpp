@@ -50,13 +50,6 @@ agent::MissionOptions options_for(const MissionRequest& request) {
   return options;
 }
 
-std::string title_of(const agent::Mission& mission, const MissionRequest& request) {
-  if (mission.simulated() == nullptr) {
-    return fmt::format("{} with {}", request.task, request.robot);
-  }
-  return fmt::format("{} in {}, seed {}", request.task, mission.place(), request.seed);
-}
-
 /// Python's own code, called by the mission in its thread.
 class PythonOnlooker {
  public:
@@ -120,16 +113,13 @@ class PythonKeepers {
   PythonKeepers(const MissionRequest& request, agent::MissionRecorder& recorder,
                 agent::Mission& mission)
       : recorder_(recorder),
-        memory_(request.memory, robot_file(request.robot), title_of(mission, request)),
+        memory_(request.memory, mission, task_file(request.task)),
         mission_(mission) {
     recorder_.begin(mission);
   }
   void take() noexcept {
     reports_.attempt(kKeptRecording, [this] { recorder_.take(mission_); });
-    reports_.attempt(kKeptMemory, [this] {
-      memory_.take(mission_.cycle());
-      if (mission_.judge() != nullptr) memory_.take(*mission_.judge());
-    });
+    reports_.attempt(kKeptMemory, [this] { memory_.take(mission_); });
   }
   void finish(const MissionRequest& request, MissionOutcome& outcome) noexcept {
     reports_.finish(kKeptResult, [&] {
@@ -141,7 +131,7 @@ class PythonKeepers {
       reports_.note(kKeptRecording, end.lost.c_str());
     });
     reports_.finish(kKeptMemory, [&] {
-      reports_.note(kKeptMemory, memory_.finish(mission_.cycle(), outcome.result).c_str());
+      reports_.note(kKeptMemory, memory_.finish(mission_, outcome.result).c_str());
     });
     outcome.losses = reports_.text();
   }

@@ -12,7 +12,6 @@
 #include "striate/agent/mission_pictures.hpp"
 #include "striate/agent/recall/live_memory.hpp"
 #include "striate/agent/recording/mission_recorder.hpp"
-#include "striate/agent/simulated_body.hpp"
 #include "striate/app/commands/run_report.hpp"
 #include "striate/app/interrupt.hpp"
 #include "striate/app/late_opencv.hpp"
@@ -38,13 +37,6 @@ agent::MissionOptions mission_options(const RunOptions& options) {
   mission.emergency_layer = !options.no_emergency;
   if (!options.memory.empty()) mission.knowledge = agent::read_mission_knowledge(options.memory);
   return mission;
-}
-
-/// For the long-term memory: which session that was.
-std::string session_title(const agent::Mission& mission, const agent::MissionOptions& asked) {
-  if (mission.simulated() == nullptr) return fmt::format("{} with {}", asked.task, asked.robot);
-  return fmt::format("{} in {}, seed {}", asked.task, mission.place(),
-                     mission.simulated()->options().seed);
 }
 
 /// What may fail without the mission noticing, as it is called in the message.
@@ -84,7 +76,7 @@ class Watchers {
         mission_(mission),
         files_(files),
         pictures_(options.pictures, options.picture_every),
-        memory_(options.memory, options.mission.robot, session_title(mission, options.mission)),
+        memory_(options.memory, mission, options.mission.task),
         live_(options.inspect),
         status_(options.quiet || options.json) {
     files_.recorder.begin(mission);
@@ -101,10 +93,7 @@ class Watchers {
       live_.take(mission_.cycle(), mission_.executive(), mission_.cycles());
     });
     reports_.attempt(kPictures, [this] { pictures_.take(mission_); });
-    reports_.attempt(kMemory, [this] {
-      memory_.take(mission_.cycle());
-      if (mission_.judge() != nullptr) memory_.take(*mission_.judge());
-    });
+    reports_.attempt(kMemory, [this] { memory_.take(mission_); });
     reports_.attempt(kOnlooker, [this] {
       if (options_.each_cycle) options_.each_cycle(mission_);
     });
@@ -149,8 +138,8 @@ class Watchers {
         kMcap, [this] { return files_.mcap.finish(); }, kept.mcap);
     reports_.finish(kFoxglove, [this] { files_.foxglove.finish(); });
     reports_.finish(kInspection, [&] { reports_.note(kInspection, live_.finish().c_str()); });
-    reports_.finish(
-        kMemory, [&] { reports_.note(kMemory, memory_.finish(mission_.cycle(), result).c_str()); });
+    reports_.finish(kMemory,
+                    [&] { reports_.note(kMemory, memory_.finish(mission_, result).c_str()); });
     reports_.finish(kPictures, [&] { pictures_.finish(mission_, result); });
     return kept;
   }
