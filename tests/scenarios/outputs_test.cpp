@@ -87,11 +87,11 @@ TEST(Outputs, NothingIsWrittenOverWhatElseIsNamed) {
   const std::string world = folder.write("world.yaml", read_text("config/worlds/short.yaml"));
   const std::string out = folder / "out";
   expect_refused({
-      {{"run", task, "--world", "short", "--record", task}, "the task script and --record are the"},
-      {{"run", task, "--world", "short", "--record", out, "--result", out},
+      {{"run", task, "--world", world, "--record", task}, "the task script and --record are the"},
+      {{"run", task, "--world", world, "--record", out, "--result", out},
        "--record and --result are the same file"},
       {{"run", task, "--world", world, "--mcap", world}, "--world and --mcap are the same file"},
-      {{"run", task, "--world", "short", "--memory", out, "--inspect", folder / "./out"},
+      {{"run", task, "--world", world, "--memory", out, "--inspect", folder / "./out"},
        "--memory and --inspect are"},
       {{"task", "show", task, "--svg", task}, "the task script and --svg are the same file"},
       {{"task", "show", task, "--svg", out, "--xml", out}, "--svg and --xml are the same file"},
