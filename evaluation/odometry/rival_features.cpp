@@ -43,9 +43,10 @@ void find_with(cv::Feature2D& finder, const cv::Mat1b& grey, int most, Scale sca
     out.features.push_back({point.pt.x, point.pt.y, scale_of(point), point.response});
   }
   cv::Mat1b bytes;
-  descriptors.convertTo(bytes, CV_8U);  // SIFT's numbers are whole, 0..255
-  out.bytes = bytes.cols;
-  out.descriptors.assign(bytes.begin(), bytes.end());
+  descriptors.convertTo(bytes, CV_8U);      // SIFT's numbers are whole, 0..255
+  const std::size_t count = bytes.total();  // 0 without keypoints: the matrix has no columns then
+  if (count > 0) out.bytes = bytes.cols;
+  out.descriptors.assign(bytes.data, bytes.data + count);
 }
 
 perception::FeatureSource orb_source() {

@@ -85,6 +85,17 @@ TEST(EvalOdometryOfASequence, ComparesWithOrbAndSiftInOneRun) {
               runs[0]["scores"]["ate_m"]["rmse"].get<double>(), 1e-6);
 }
 
+TEST(EvalOdometryOfASequence, DarkPicturesAreViewsWithoutAnEstimateOfEveryMethod) {
+  const TemporaryFolder folder;
+  const std::string sequence = write_rendered_sequence(folder, 8, 3, 2);
+  const Ended ended = striate({"eval", "odometry", sequence, "--json", "--out", folder / "out"});
+  ASSERT_EQ(ended.exit_code, 0) << ended.err;
+  for (const json& run : json::parse(ended.out)) {
+    EXPECT_EQ(run["without_estimate"], 2) << run["features"];
+    EXPECT_EQ(run["why"]["too_little_texture"], 2) << run["features"];
+  }
+}
+
 TEST(EvalOdometryOfASequence, WithoutATruthTellsWhatCanBeTold) {
   const TemporaryFolder folder;
   const std::string sequence = write_rendered_sequence(folder, 4);
