@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <opencv2/core/matx.hpp>
 
 namespace striate::perception {
@@ -33,6 +34,12 @@ struct RigidMotion {
 
 /// The step that leads from b to a: a = nudged(b, step).
 [[nodiscard]] cv::Vec6d step_between(const RigidMotion& a, const RigidMotion& b);
+
+/// Standard deviation over three axes together, of a step's covariance: 0 for the way, 3 the turn.
+[[nodiscard]] inline double spread_of(const cv::Matx66d& covariance, int from) {
+  return std::sqrt(covariance(from, from) + covariance(from + 1, from + 1) +
+                   covariance(from + 2, from + 2));
+}
 
 /// A rotation of many factors stays one: its axes are made orthogonal again.
 [[nodiscard]] RigidMotion straightened(const RigidMotion& motion);

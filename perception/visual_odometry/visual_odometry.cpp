@@ -1,11 +1,10 @@
 #include "striate/perception/visual_odometry/visual_odometry.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "striate/perception/visual_odometry/follow_points.hpp"
-#include "striate/perception/visual_odometry/keyframe_window.hpp"
+#include "striate/perception/visual_odometry/refined_keyframe.hpp"
 #include "striate/perception/visual_odometry/stereo_points.hpp"
 #include "striate/perception/visual_odometry/striate_features.hpp"
 
@@ -15,34 +14,26 @@ namespace {
 /// Of the width: with less motion in the image no keyframe is made, whatever is lost from sight, so
 /// that a camera that stands keeps the one that it has (by hand)
 constexpr double kLeastFlow = 0.01;
-/// Disparities of many images are not so much better than one's as chance alone would have it,
-/// since patches err alike (by hand)
-constexpr double kLeastThenNoise = 0.5;
-
-double doubt_of(const cv::Matx66d& covariance, int from) {
-  return std::sqrt(covariance(from, from) + covariance(from + 1, from + 1) +
-                   covariance(from + 2, from + 2));
-}
 
 }  // namespace
 
 class VisualOdometry::Parts {
  public:
   Parts(const VisualOdometrySettings& settings, FeatureSource source)
-      : settings_(settings), source_(std::move(source)), window_(settings.keyframes) {}
+      : settings_(settings), source_(std::move(source)), keyframe_(settings.keyframes) {}
 
   const VisualPose& see(const StereoView& given) {
     check_view(given);
     StereoLook look;
     look_with_both(narrowed(given, settings_.width_px), source_, settings_, look);
-    pose_.features = static_cast<int>(look.left.size());
     pose_.points = static_cast<int>(look.points.size());
     pose_.matches = pose_.agreeing = 0;
     pose_.begun_anew = pose_.keyframe = false;
     pose_.noise_px = 0.0;
-    if (has_keyframe_ && (look.eyes != keyframe_.eyes || look.size != keyframe_.size)) {
+    const StereoLook& then = keyframe_.look();
+    if (has_keyframe_ && (look.eyes != then.eyes || look.size != then.size)) {
       has_keyframe_ = false;
-      pose_.begun_anew = true;
+      way_lost_ = true;
     }
     if (pose_.points < settings_.least_points) {
       ++lost_;
@@ -52,6 +43,7 @@ class VisualOdometry::Parts {
     } else {
       follow(std::move(look));
     }
+    ++number_;
     return pose_;
   }
 
@@ -69,17 +61,17 @@ class VisualOdometry::Parts {
     pose_.keyframe = true;
     pose_.camera_from_keyframe = {};
     pose_.covariance = cv::Matx66d::zeros();
+    pose_.begun_anew = way_lost_;
+    way_lost_ = false;
     velocity_ = {};
     last_from_keyframe_ = {};
+    last_is_other_ = false;
     lost_ = 0;
-    window_.clear();
     for (StereoPoint& point : look.points) point.track = next_track_++;
-    keyframe_ = std::move(look);
-    last_ = keyframe_;
+    keyframe_.begin(std::move(look), pose_.world_from_camera, number_);
     has_keyframe_ = true;
-    world_from_keyframe_ = pose_.world_from_camera;
     best_agreeing_ = 0;
-    add_to_window();
+    pose_.keyframe_number = number_;
   }
 
   /// As it went on, and as it was: what does not move fast is found by either.
@@ -96,19 +88,19 @@ class VisualOdometry::Parts {
   /// Is it a motion that can be, and that is known?
   void judge(const RigidMotion& last_from_then, Followed& followed) const {
     const RigidMotion now_from_last = followed.motion.now_from_then * inverse(last_from_then);
-    const double images = 1.0 + lost_;
+    const double images = 1.0 + std::min(lost_, settings_.most_lost);
     const double depth_m = followed.median_depth_m;
     if (cv::norm(turn_of(now_from_last.rotation)) > settings_.most_turn_rad * images ||
         cv::norm(now_from_last.way_m) > settings_.most_way * depth_m * images) {
       followed.reason = NoEstimate::motion_too_large;
-    } else if (doubt_of(followed.motion.covariance, 0) > settings_.most_doubt * depth_m ||
-               doubt_of(followed.motion.covariance, 3) > settings_.most_doubt_rad) {
+    } else if (spread_of(followed.motion.covariance, 0) > settings_.most_doubt * depth_m ||
+               spread_of(followed.motion.covariance, 3) > settings_.most_doubt_rad) {
       followed.reason = NoEstimate::too_uncertain;
     }
   }
 
   void follow(StereoLook look) {
-    Followed followed = follow_from(keyframe_, last_from_keyframe_, look);
+    Followed followed = follow_from(keyframe_.look(), last_from_keyframe_, look);
     if (!followed.good() && last_is_other_) {
       Followed nearer = follow_from(last_, {}, look);
       if (nearer.good()) {
@@ -121,7 +113,7 @@ class VisualOdometry::Parts {
     pose_.reason = followed.reason;
     if (!followed.good()) {
       if (++lost_ <= settings_.most_lost) return;
-      pose_.begun_anew = true;
+      way_lost_ = true;
       begin(std::move(look), followed.reason);
       return;
     }
@@ -135,80 +127,55 @@ class VisualOdometry::Parts {
     velocity_ = lost_ == 0 ? now_from_last : RigidMotion{};
     lost_ = 0;
     last_from_keyframe_ = now_from_keyframe;
-    pose_.noise_px = followed.motion.noise_px;
+    pose_.noise_px = noise_px_ = followed.motion.noise_px;
     pose_.camera_from_keyframe = now_from_keyframe;
+    pose_.keyframe_number = keyframe_.number();
     pose_.covariance = followed.motion.covariance;
-    pose_.world_from_camera = straightened(world_from_keyframe_ * inverse(now_from_keyframe));
+    pose_.world_from_camera =
+        straightened(keyframe_.world_from_keyframe() * inverse(now_from_keyframe));
     for (StereoPoint& point : look.points) point.track = -1;
     for (const FollowedPoint& point : followed.points) {
       StereoPoint& now = look.points[point.now];
-      now.track = keyframe_.points[point.then].track;
+      const StereoPoint& then = keyframe_.look().points[point.then];
+      now.track = then.track;
       now.sight = point.sight;
-      now.level = keyframe_.points[point.then].level;
+      now.level = then.level;
     }
     for (StereoPoint& point : look.points) {
       if (point.track < 0) point.track = next_track_++;
     }
     last_ = std::move(look);
+    last_number_ = number_;
     last_is_other_ = true;
     best_agreeing_ = std::max(best_agreeing_, pose_.agreeing);
     if (pose_.agreeing < settings_.keep_share * best_agreeing_ &&
         followed.median_flow_px > kLeastFlow * last_.size.width) {
       take_last_as_keyframe();
       pose_.keyframe = true;
-      pose_.world_from_camera = world_from_keyframe_;
+      pose_.world_from_camera = keyframe_.world_from_keyframe();
     }
   }
 
   void take_last_as_keyframe() {
-    world_from_keyframe_ = straightened(world_from_keyframe_ * inverse(last_from_keyframe_));
-    keyframe_ = last_;
+    keyframe_.replace(last_, last_from_keyframe_, last_number_, noise_px_);
     last_from_keyframe_ = {};
     last_is_other_ = false;
     best_agreeing_ = 0;
-    add_to_window();
-    if (settings_.keyframes < 2 || !(pose_.noise_px > 0.0)) return;
-    window_.refine(keyframe_.eyes, pose_.noise_px);
-    world_from_keyframe_ = inverse(window_.newest().camera_from_world);
-    take_refined_depths();
-  }
-
-  void add_to_window() {
-    WindowKeyframe frame{inverse(world_from_keyframe_), {}};
-    for (const StereoPoint& point : keyframe_.points) {
-      frame.sights.push_back({point.track, point.sight, std::ldexp(1.0, point.level)});
-    }
-    std::ranges::sort(frame.sights, {}, &TrackSight::track);
-    window_.add(std::move(frame));
-  }
-
-  /// A point that many images have seen is known better than by this one alone.
-  void take_refined_depths() {
-    constexpr double kFits = 3.0;  // of the noise; farther off the track is of two things
-    for (StereoPoint& point : keyframe_.points) {
-      const auto place = window_.places().find(point.track);
-      if (place == window_.places().end()) continue;
-      const cv::Vec3d p = window_.newest().camera_from_world * place->second.point_m;
-      if (!(p[2] > 0.0)) continue;
-      const double disparity_px = sight_of(keyframe_.eyes, p)[2];
-      const double noise_px = std::ldexp(pose_.noise_px, point.level);
-      if (std::abs(disparity_px - point.sight[2]) > kFits * noise_px) continue;
-      point.sight[2] = disparity_px;
-      point.then_noise = std::max(kLeastThenNoise, 1.0 / std::sqrt(place->second.sights));
-    }
   }
 
   VisualOdometrySettings settings_;
   FeatureSource source_;
-  KeyframeWindow window_;
   VisualPose pose_;
+  std::size_t number_ = 0;  ///< of views that were seen
+  RefinedKeyframe keyframe_;
   bool has_keyframe_ = false;
-  StereoLook keyframe_;
-  RigidMotion world_from_keyframe_;
-  StereoLook last_;             ///< the last view with an estimate
+  bool way_lost_ = false;  ///< since the keyframe was given up; said where another begins
+  StereoLook last_;        ///< the last view with an estimate
+  std::size_t last_number_ = 0;
   bool last_is_other_ = false;  ///< than the keyframe
   RigidMotion last_from_keyframe_;
   RigidMotion velocity_;   ///< of the last two views with an estimate: the later from the earlier
+  double noise_px_ = 0.0;  ///< of the last view with an estimate
   int lost_ = 0;           ///< views without an estimate since
   int best_agreeing_ = 0;  ///< points of this keyframe that were followed into one view
   std::int64_t next_track_ = 0;

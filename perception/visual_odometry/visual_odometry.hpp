@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <memory>
 
 #include "striate/perception/visual_odometry/features.hpp"
@@ -21,15 +22,24 @@ struct VisualPose {
   /// What was measured: the motion from the keyframe, and its covariance: of the step from the true
   /// motion to this one (nudged()), way in m and turn in rad, in the axes of the camera now.
   RigidMotion camera_from_keyframe;
+  /// Which view that keyframe is, counted from 0 by see(). Mostly the last that said `keyframe`;
+  /// where that is out of sight, the last view with an estimate takes its place afterwards.
+  std::size_t keyframe_number = 0;
   cv::Matx66d covariance = cv::Matx66d::zeros();
 
-  int features = 0;       ///< of the left eye
   int points = 0;         ///< seen by both
   int matches = 0;        ///< of them, seen again
   int agreeing = 0;       ///< of them, that agree on the motion
   double noise_px = 0.0;  ///< measured, of a fine keypoint's place
 
   [[nodiscard]] bool known() const { return reason == NoEstimate::none; }
+  /// Is world_from_camera where this view was? It is so where the world begins, too.
+  [[nodiscard]] bool placed() const {
+    return known() || (reason == NoEstimate::beginning && !begun_anew);
+  }
+  /// Standard deviation of the motion from the keyframe, over the axes together.
+  [[nodiscard]] double sigma_m() const { return spread_of(covariance, 0); }
+  [[nodiscard]] double sigma_rad() const { return spread_of(covariance, 3); }
 };
 
 /// Stereo visual odometry: the motion of a pair of eyes from what they see, one view after the
