@@ -22,8 +22,7 @@ void OwnCamera::look(StereoFrame& frame, PerceiveOptions& options) const {
   }
 }
 
-void tell_camera(const datasets::StereoModel& model, const OwnCamera& camera) {
-  const datasets::PictureRectifier& to = camera.rectifier();
+void tell_camera(const datasets::StereoModel& model, const datasets::PictureRectifier& to) {
   const char* pictures =
       to.changes_pictures() ? "pictures are rectified" : "pictures stay as they are";
   std::string lens = to.baseline_m() > 0.0 ? fmt::format("f {:.2f} px, eyes {:.4g} m apart",

@@ -24,6 +24,6 @@ class OwnCamera {
 };
 
 /// Says on standard error what the calibration is, what it lacks and what was assumed.
-void tell_camera(const datasets::StereoModel& model, const OwnCamera& camera);
+void tell_camera(const datasets::StereoModel& model, const datasets::PictureRectifier& to);
 
 }  // namespace striate::app

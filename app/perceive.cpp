@@ -44,7 +44,7 @@ JudgedPair perceive(const PerceiveOptions& given) {
       std::swap(pair.frame.left, pair.frame.right);
     }
     OwnCamera camera(model, pair.frame.left.size(), options.rectified);
-    tell_camera(model, camera);
+    tell_camera(model, camera.rectifier());
     camera.look(pair.frame, options);
   }
   place_camera(options, options.left.string(), pair.frame);

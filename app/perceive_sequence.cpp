@@ -38,7 +38,7 @@ void see(const PerceiveSequenceOptions& options, const datasets::Sequence& seque
   if (sequence.calibration() && one.focal_px <= 0.0) {
     if (!state.camera) {
       state.camera.emplace(*sequence.calibration(), look.left.size(), one.rectified);
-      tell_camera(*sequence.calibration(), *state.camera);
+      tell_camera(*sequence.calibration(), state.camera->rectifier());
     }
     state.camera->look(frame, one);
   }

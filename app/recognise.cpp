@@ -89,7 +89,7 @@ class RecogniseRun {
     if (!sequence.calibration() || stereo.focal_px > 0.0) return stereo;
     if (!camera_) {
       camera_.emplace(*sequence.calibration(), frame.left.size(), options_.rectified);
-      tell_camera(*sequence.calibration(), *camera_);
+      tell_camera(*sequence.calibration(), camera_->rectifier());
     }
     camera_->look(frame, stereo);
     return stereo;

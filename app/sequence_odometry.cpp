@@ -5,9 +5,12 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "striate/app/own_camera.hpp"
 #include "striate/app/perceive_sequence.hpp"
+#include "striate/base/counted.hpp"
 #include "striate/base/files.hpp"
 #include "striate/base/geometry.hpp"
+#include "striate/evaluation/odometry/compare_odometry.hpp"
 #include "striate/evaluation/odometry/sequence_views.hpp"
 #include "striate/perception/visual_odometry/visual_odometry.hpp"
 #include "striate/platform/datasets/sequences/picture_list.hpp"
@@ -15,16 +18,11 @@
 namespace striate::app {
 namespace {
 
+using evaluation::MethodRun;
 using nlohmann::ordered_json;
 
-/// Standard deviation over the axes together; NaN where nothing was measured.
-double spread_of(const cv::Matx66d& covariance, int from) {
-  return std::sqrt(covariance(from, from) + covariance(from + 1, from + 1) +
-                   covariance(from + 2, from + 2));
-}
-
 ordered_json json_of_view(const perception::VisualPose& pose, const evaluation::SequenceView& view,
-                          const datasets::TimedPose& at) {
+                          const MethodRun& run) {
   ordered_json json = {{"number", view.number}, {"name", view.name}};
   json["stamp_ns"] = view.stamp_ns ? ordered_json(*view.stamp_ns) : ordered_json(nullptr);
   json["reason"] = perception::word_of(pose.reason);
@@ -33,42 +31,45 @@ ordered_json json_of_view(const perception::VisualPose& pose, const evaluation::
   json["points"] = pose.points;
   json["matches"] = pose.matches;
   json["agreeing"] = pose.agreeing;
-  if (!pose.known() && pose.reason != perception::NoEstimate::beginning) return json;
+  if (!pose.placed()) return json;
+  const datasets::TimedPose& at = run.estimate.poses.back();
   const cv::Vec4d q = datasets::quaternion_of(at.rotation);
   json["position_m"] = {at.position_m[0], at.position_m[1], at.position_m[2]};
   json["quaternion_xyzw"] = {q[0], q[1], q[2], q[3]};
+  if (!pose.known()) return json;  // nothing was measured
   json["noise_px"] = pose.noise_px;
-  json["from_keyframe_sigma_m"] = spread_of(pose.covariance, 0);
-  json["from_keyframe_sigma_deg"] = degrees(spread_of(pose.covariance, 3));
+  json["from_keyframe_sigma_m"] = pose.sigma_m();
+  json["from_keyframe_sigma_deg"] = degrees(pose.sigma_rad());
   return json;
 }
 
 std::string text_of_view(const perception::VisualPose& pose, const evaluation::SequenceView& view,
-                         const datasets::TimedPose& at) {
+                         const MethodRun& run) {
   const std::string anew =
       pose.begun_anew ? "; goes on from the last place, the way is unknown" : "";
   if (!pose.known()) {
     return fmt::format("{:6} {}: {}{}\n", view.number, view.name, text_of(pose.reason), anew);
   }
+  const datasets::TimedPose& at = run.estimate.poses.back();
   return fmt::format("{:6} {}: {:.3f} {:.3f} {:.3f} m, +-{:.4f} m +-{:.3f} deg, {} points{}\n",
                      view.number, view.name, at.position_m[0], at.position_m[1], at.position_m[2],
-                     spread_of(pose.covariance, 0), degrees(spread_of(pose.covariance, 3)),
-                     pose.agreeing, pose.keyframe ? ", keyframe" : "");
+                     pose.sigma_m(), degrees(pose.sigma_rad()), pose.agreeing,
+                     pose.keyframe ? ", keyframe" : "");
 }
 
 /// What is counted over all views.
-struct OdometryCount {
-  std::size_t views = 0, known = 0, begun_anew = 0;
-  double way_m = 0.0;
+std::string text_of_all(const MethodRun& run) {
+  return fmt::format("{}, {} with an estimate, {:.2f} m of way, begun anew {}\n",
+                     counted(run.views, "view"), run.known, evaluation::estimated_way_m(run),
+                     counted(run.begun_anew, "time"));
+}
 
-  [[nodiscard]] std::string text() const {
-    return fmt::format("{} views, {} with an estimate, {:.2f} m of way, begun anew {} times\n",
-                       views, known, way_m, begun_anew);
-  }
-  [[nodiscard]] ordered_json json() const {
-    return {{"views", views}, {"known", known}, {"way_m", way_m}, {"begun_anew", begun_anew}};
-  }
-};
+ordered_json json_of_all(const MethodRun& run) {
+  return {{"views", run.views},
+          {"known", run.known},
+          {"way_m", evaluation::estimated_way_m(run)},
+          {"begun_anew", run.begun_anew}};
+}
 
 }  // namespace
 
@@ -82,36 +83,26 @@ int tell_odometry(const SequenceOdometryOptions& options) {
   const auto sequence = datasets::open_sequence(options.source, options.sequence);
   tell_sequence(*sequence);
   const std::size_t told = sequence->remarks().size();
-  evaluation::SequenceViews views(*sequence, options.rectified);
+  evaluation::SequenceViews views(*sequence, options.rectified,
+                                  [&](const datasets::PictureRectifier& rectifier) {
+                                    tell_camera(*sequence->calibration(), rectifier);
+                                  });
   perception::VisualOdometry odometry(options.odometry);
   evaluation::SequenceView view;
-  std::vector<datasets::TimedPose> trajectory;
-  OdometryCount count;
+  MethodRun run;
   bool stopped = false;
   while (!(stopped = options.stopped && options.stopped()) && views.next(view)) {
     const perception::VisualPose& pose = odometry.see(view.view);
-    const auto number_ns = static_cast<std::int64_t>(view.number) * 1'000'000'000;
-    const datasets::TimedPose at = evaluation::raw_camera_pose(
-        pose.world_from_camera, views.rectifier().left_turn(), view.stamp_ns.value_or(number_ns));
-    ++count.views;
-    count.begun_anew += pose.begun_anew;
-    const bool begins = pose.reason == perception::NoEstimate::beginning && !pose.begun_anew;
-    if (pose.known() || begins) {
-      if (!trajectory.empty()) {
-        count.way_m += cv::norm(at.position_m - trajectory.back().position_m);
-      }
-      trajectory.push_back(at);
-    }
-    count.known += pose.known();
-    fmt::print("{}", options.json ? json_of_view(pose, view, at).dump() + "\n"
-                                  : text_of_view(pose, view, at));
+    take_pose(pose, view.number, view.stamp_ns, views.rectifier().left_turn(), run);
+    fmt::print("{}", options.json ? json_of_view(pose, view, run).dump() + "\n"
+                                  : text_of_view(pose, view, run));
   }
   tell_left_out(*sequence, told);
-  fmt::print("{}",
-             options.json ? ordered_json{{"summary", count.json()}}.dump() + "\n" : count.text());
-  if (!options.out.empty()) write_file(options.out, datasets::tum_text(trajectory));
+  fmt::print("{}", options.json ? ordered_json{{"summary", json_of_all(run)}}.dump() + "\n"
+                                : text_of_all(run));
+  if (!options.out.empty()) write_file(options.out, datasets::tum_text(run.estimate.poses));
   if (stopped) return 130;
-  return count.known > 0 ? 0 : 1;
+  return run.known > 0 ? 0 : 1;
 }
 
 }  // namespace striate::app

@@ -28,17 +28,14 @@ struct SequenceOdometryOptions {
 int tell_odometry(const SequenceOdometryOptions& options);
 
 struct JudgedSequence {
-  std::string truth;  ///< empty: the sequence's own, if it has one
-  std::string
-      sensor;  ///< EuRoC's sensor.yaml; empty: that of the set where its truth is the body's
+  std::string truth;   ///< empty: the sequence's own, if it has one
+  std::string sensor;  ///< as read_truth() takes it
   evaluation::OdometryOptions scores;
 };
 
 /// `striate eval odometry SEQUENCE`: with Striate's features, ORB's and SIFT's, against the truth.
-/// @return 0; 130 where it was stopped
+/// @return 0; 1 where no view of any had an estimate; 130 where it was stopped
+/// @throws UserError where there is a truth and no run can be judged by it, after all was written
 int compare_odometry(const SequenceOdometryOptions& options, const JudgedSequence& judged);
-
-/// The truth of the body becomes that of a camera on it. @param file EuRoC's sensor.yaml
-void move_to_sensor(const std::string& file, datasets::Trajectory& truth);
 
 }  // namespace striate::app

@@ -4,10 +4,12 @@
 
 #include <filesystem>
 #include <memory>
+#include <vector>
 
 #include "striate/app/commands/odometry_options.hpp"
 #include "striate/app/interrupt.hpp"
 #include "striate/app/odometry_picture.hpp"
+#include "striate/app/odometry_truth.hpp"
 #include "striate/app/perceive_files.hpp"
 #include "striate/app/recorded_odometry.hpp"
 #include "striate/app/sequence_odometry.hpp"
@@ -16,6 +18,7 @@
 #include "striate/base/say.hpp"
 #include "striate/base/user_error.hpp"
 #include "striate/evaluation/odometry/eval_odometry.hpp"
+#include "striate/platform/datasets/images/read_image.hpp"
 
 namespace striate::app {
 namespace {
@@ -24,22 +27,47 @@ struct EvalOdometryCommand {
   std::string estimate;
   std::string truth;
   std::string times;   ///< of an estimate in KITTI's format
-  std::string sensor;  ///< EuRoC's sensor.yaml: where on the body the estimate's camera is
+  std::string sensor;  ///< as read_truth() takes it
   std::string out = "out/eval_odometry";
   bool json = false;
   SequenceArguments sequence;
   SequenceOdometryOptions visual;
   evaluation::OdometryOptions options;
+  std::vector<const CLI::Option*> of_trajectories;  ///< that say nothing of a sequence
+  std::vector<const CLI::Option*> of_sequences;     ///< that say nothing of a trajectory
 };
 
-void tell_trajectory(const char* which, const std::string& file,
-                     const datasets::Trajectory& trajectory) {
-  say(stderr, fmt::format("{}: {}, {} pose{} of {}\n", which, file, trajectory.poses.size(),
-                          trajectory.poses.size() == 1 ? "" : "s", trajectory.format));
-  for (const std::string& remark : trajectory.remarks) say(stderr, "  note: " + remark + "\n");
+/// @param what the estimate is, of which these options say nothing
+void refuse_given(const EvalOdometryCommand& given, const std::vector<const CLI::Option*>& options,
+                  const char* what) {
+  std::string names;
+  for (const CLI::Option* option : options) {
+    if (option->count() > 0) names += (names.empty() ? "" : ", ") + option->get_name();
+  }
+  if (names.empty()) return;
+  throw UserError(fmt::format("{}: is {}, of which nothing is said by {}",
+                              plain_text(given.estimate), what, names));
+}
+
+/// @throws UserError where the estimate cannot be a trajectory, or no truth is given
+void check_trajectory(const EvalOdometryCommand& given) {
+  const std::string name = plain_text(given.estimate);
+  std::error_code error;
+  if (!std::filesystem::exists(given.estimate, error)) {
+    throw UserError(name + ": there is no such file or folder");
+  }
+  if (datasets::is_image(given.estimate)) {
+    throw UserError(name +
+                    ": is one picture\n    hint: give a folder of pairs, a video or a trajectory");
+  }
+  if (given.truth.empty()) {
+    throw UserError(name +
+                    ": is no sequence of pictures; a trajectory needs a truth: --truth FILE");
+  }
 }
 
 int run_eval_sequence(const EvalOdometryCommand& given) {
+  refuse_given(given, given.of_trajectories, "a sequence of pictures");
   SequenceOdometryOptions options = given.visual;
   options.source = given.estimate;
   options.sequence = given.sequence.read();
@@ -52,31 +80,23 @@ int run_eval_sequence(const EvalOdometryCommand& given) {
 
 int run_eval_odometry(const EvalOdometryCommand& given) {
   if (is_sequence(given.estimate)) return run_eval_sequence(given);
-  if (given.truth.empty()) {
-    throw UserError(fmt::format("{}: is a trajectory, which needs a truth: --truth FILE",
-                                plain_text(given.estimate)));
-  }
+  refuse_given(given, given.of_sequences, "no sequence of pictures");
+  check_trajectory(given);
   make_folder(given.out, "--out");
-  std::string times = given.times;
-  // KITTI's poses find the times of their sequence by themselves where they lie as KITTI's do.
-  datasets::Trajectory truth = datasets::find_ground_truth(given.truth);
-  const datasets::Trajectory estimate = read_estimate(given.estimate, times);
-  if (times.empty() && !estimate.timed && truth.timed && truth.format == "KITTI") {
-    // One number a pose in both: the times are the truth's, and pair nothing better.
-    truth.timed = false;
-    for (std::size_t k = 0; k < truth.poses.size(); ++k) {
-      truth.poses[k].stamp_ns = static_cast<std::int64_t>(k) * 1'000'000'000;
-    }
-  }
-  tell_trajectory("truth", given.truth, truth);
+  const datasets::Trajectory estimate = read_estimate(given.estimate, given.times);
+  // Without times poses are paired by their number: those of the truth then pair nothing better.
+  const OdometryTruth truth =
+      read_truth(given.truth, given.sensor,
+                 estimate.timed ? datasets::KittiTimes::read : datasets::KittiTimes::left_out);
   tell_trajectory("estimate", given.estimate, estimate);
-  if (!given.sensor.empty()) move_to_sensor(given.sensor, truth);
+  evaluation::OdometryOptions options = given.options;
+  options.body_from_sensor = truth.body_from_sensor;
   const evaluation::OdometryScores scores =
-      evaluation::score_odometry(truth, estimate, given.options);
+      evaluation::score_odometry(truth.trajectory, estimate, options);
   for (const std::string& remark : scores.poses.remarks) say(stderr, "  note: " + remark + "\n");
-  fmt::print("{}", given.json ? evaluation::scores_json(scores, given.options)
-                              : evaluation::scores_text(scores, given.options));
-  evaluation::write_scores(scores, given.options, given.out);
+  fmt::print("{}", given.json ? evaluation::scores_json(scores, options)
+                              : evaluation::scores_text(scores, options));
+  evaluation::write_scores(scores, options, given.out);
   write_picture(std::filesystem::path(given.out) / "odometry.png", draw_odometry(scores));
   return 0;
 }
@@ -108,10 +128,13 @@ void add_eval_odometry(CLI::App& eval, int& exit_code) {
                    "a trajectory, or the folder of a set that holds its ground truth; of a "
                    "sequence its own, where it has one")
       ->type_name("FILE");
-  command->add_option("--times", given.times, "times of an estimate in KITTI's format (times.txt)");
-  command->add_option("--sensor", given.sensor,
-                      "EuRoC's sensor.yaml of the camera that the estimate is of, where the truth "
-                      "is of the body: its T_BS counts");
+  given.of_trajectories.push_back(command->add_option(
+      "--times", given.times, "times of an estimate in KITTI's format (times.txt)"));
+  command->add_option(
+      "--sensor", given.sensor,
+      "EuRoC's sensor.yaml of the camera that the estimate is of, where the truth "
+      "is of the body: its T_BS counts; without it cam0's of the set; \"body\": the "
+      "estimate is of the body, too");
   command->add_flag("--scale", given.options.scale,
                     "align by a similarity: of one camera the scale is unknown");
   command
@@ -139,8 +162,11 @@ void add_eval_odometry(CLI::App& eval, int& exit_code) {
       ->type_name("FOLDER")
       ->capture_default_str();
   command->add_flag("--json", given.json, "print JSON instead of text");
+  const std::size_t before = command->get_options().size();
   add_sequence_options(*command, given.sequence);
   add_odometry_options(*command, given.visual);
+  const auto all = command->get_options();
+  given.of_sequences.assign(all.begin() + static_cast<std::ptrdiff_t>(before), all.end());
   command->callback([options, &exit_code] { exit_code = run_eval_odometry(*options); });
 }
 

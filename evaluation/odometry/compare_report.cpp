@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "striate/base/counted.hpp"
 #include "striate/base/files.hpp"
 #include "striate/evaluation/odometry/compare_odometry.hpp"
 #include "striate/evaluation/plot.hpp"
@@ -11,17 +12,7 @@ namespace striate::evaluation {
 namespace {
 
 double share_without(const MethodRun& run) {
-  return run.views > 1 ? static_cast<double>(run.without) / static_cast<double>(run.views - 1)
-                       : 0.0;
-}
-
-/// Along the estimate, m.
-double estimated_way_m(const MethodRun& run) {
-  double way_m = 0.0;
-  for (std::size_t k = 1; k < run.estimate.poses.size(); ++k) {
-    way_m += cv::norm(run.estimate.poses[k].position_m - run.estimate.poses[k - 1].position_m);
-  }
-  return way_m;
+  return run.views > 0 ? static_cast<double>(run.without) / static_cast<double>(run.views) : 0.0;
 }
 
 /// From where it began to where it ended, m.
@@ -31,12 +22,15 @@ double apart_m_of(const MethodRun& run) {
 }
 
 std::string title_of(const std::vector<MethodRun>& runs) {
+  bool has_truth = false;
   for (const MethodRun& run : runs) {
     if (run.scores) {
-      return fmt::format("{} views, {:.2f} m of way", run.views, run.scores->way_m);
+      return fmt::format("{}, {:.2f} m of way", counted(run.views, "view"), run.scores->way_m);
     }
+    has_truth = has_truth || !run.why_no_scores.empty();
   }
-  return fmt::format("{} views, no ground truth", runs.empty() ? 0 : runs.front().views);
+  return fmt::format("{}, {}", counted(runs.empty() ? 0 : runs.front().views, "view"),
+                     has_truth ? "no run could be judged" : "no ground truth");
 }
 
 Report method_table(const std::vector<MethodRun>& runs, const OdometryOptions& options) {
@@ -117,7 +111,9 @@ std::string runs_json(const std::vector<MethodRun>& runs, const OdometryOptions&
                                   {"noise_px", run.noise_px},
                                   {"ms", run.ms},
                                   {"end_error_m", nullptr},
-                                  {"scores", nullptr}};
+                                  {"scores", nullptr},
+                                  {"why_no_scores", nullptr}};
+    if (!run.why_no_scores.empty()) one["why_no_scores"] = run.why_no_scores;
     if (run.scores) {
       one["end_error_m"] = end_error_m(*run.scores);
       one["scores"] = nlohmann::ordered_json::parse(scores_json(*run.scores, options));

@@ -27,7 +27,10 @@ std::vector<std::string> row_of(const std::string& name, const ErrorFigures& f) 
 }
 
 std::string over_text(const OdometryScores& scores, const OdometryOptions& options) {
-  return fmt::format("{:g} {}", options.over_s, scores.timed ? "s" : "poses");
+  return fmt::format("{:g} {}", options.over_s,
+                     scores.timed            ? "s"
+                     : options.over_s == 1.0 ? "pose"
+                                             : "poses");
 }
 
 Report main_table(const OdometryScores& scores, const OdometryOptions& options) {
@@ -66,6 +69,8 @@ OdometryScores score_odometry(const datasets::Trajectory& truth,
   OdometryScores scores;
   scores.timed = truth.timed || estimate.timed;
   scores.poses = pair_poses(truth, estimate, options.pairing);
+  invert_truth_if_it_is(options.body_from_sensor, options.scale, scores.poses);
+  move_to_sensor(options.body_from_sensor, scores.poses.pairs);
   const std::vector<PosePair>& pairs = scores.poses.pairs;
   scores.alignment = align(pairs, options.scale);
   scores.absolute_m = absolute_errors(pairs, scores.alignment);

@@ -4,15 +4,17 @@
 #include <string>
 #include <vector>
 
+#include "striate/evaluation/odometry/camera_truth.hpp"
 #include "striate/evaluation/odometry/odometry_scores.hpp"
 
 namespace striate::evaluation {
 
 struct OdometryOptions {
   PairingSettings pairing;
-  bool scale = false;             ///< the estimate's scale is unknown (one camera)
-  double over_s = 1.0;            ///< of the relative pose error; of poses without times: poses
-  std::vector<double> lengths_m;  ///< of the stretches; empty: KITTI's, or tenths of a short way
+  bool scale = false;               ///< the estimate's scale is unknown (one camera)
+  double over_s = 1.0;              ///< of the relative pose error; of poses without times: poses
+  std::vector<double> lengths_m;    ///< of the stretches; empty: KITTI's, or tenths of a short way
+  BodyFromSensor body_from_sensor;  ///< where the truth is of the body
 };
 
 /// Everything that is said of an estimate.
@@ -27,6 +29,7 @@ struct OdometryScores {
   bool timed = true;
 };
 
+/// Rotations of the truth that are inverted are seen by the estimate, and taken as they should be.
 /// @throws UserError where too few poses belong together
 [[nodiscard]] OdometryScores score_odometry(const datasets::Trajectory& truth,
                                             const datasets::Trajectory& estimate,

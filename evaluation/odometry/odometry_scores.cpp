@@ -24,18 +24,6 @@ double angle_of(const cv::Matx33d& r) {
   return 2.0 * std::atan2(cv::norm(cv::Vec3d(q[0], q[1], q[2])), q[3]);
 }
 
-struct MotionError {
-  double way_m = 0.0;
-  double turn_rad = 0.0;
-};
-
-MotionError motion_error(const PosePair& from, const PosePair& to) {
-  const datasets::TimedPose truth = seen_from(from.truth, to.truth);
-  const datasets::TimedPose estimate = seen_from(from.estimate, to.estimate);
-  const datasets::TimedPose error = seen_from(estimate, truth);
-  return {cv::norm(error.position_m), angle_of(error.rotation)};
-}
-
 /// Metres from the first true position, along the way.
 std::vector<double> ways_of(const std::vector<PosePair>& pairs) {
   std::vector<double> ways(pairs.size(), 0.0);
@@ -46,6 +34,13 @@ std::vector<double> ways_of(const std::vector<PosePair>& pairs) {
 }
 
 }  // namespace
+
+MotionError motion_error(const PosePair& from, const PosePair& to) {
+  const datasets::TimedPose truth = seen_from(from.truth, to.truth);
+  const datasets::TimedPose estimate = seen_from(from.estimate, to.estimate);
+  const datasets::TimedPose error = seen_from(estimate, truth);
+  return {cv::norm(error.position_m), angle_of(error.rotation)};
+}
 
 ErrorFigures figures_of(std::vector<double> errors) {
   ErrorFigures figures;

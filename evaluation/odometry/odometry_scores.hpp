@@ -39,6 +39,13 @@ struct RelativeErrors {
   ErrorFigures turn_deg;
 };
 
+/// Of the motion from one moment to another: (estimated motion)^-1 (true motion).
+struct MotionError {
+  double way_m = 0.0;
+  double turn_rad = 0.0;  ///< 0..pi
+};
+[[nodiscard]] MotionError motion_error(const PosePair& from, const PosePair& to);
+
 /// Relative pose error (Sturm et al. 2012) over a fixed time: E = (Q_i^-1 Q_j)^-1 (P_i^-1 P_j) for
 /// each pair i and the first j that is `over_s` or more later, but no more than half of it too
 /// late.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "striate/base/counted.hpp"
 #include "striate/base/user_error.hpp"
 
 namespace striate::evaluation {
@@ -34,8 +35,9 @@ void pair_by_count(const datasets::Trajectory& truth, const datasets::Trajectory
     found.pairs.push_back({*same, pose});
   }
   if (truth.poses.size() != estimate.poses.size()) {
-    found.remarks.push_back(fmt::format("{} poses against {} of the truth: paired by their number",
-                                        estimate.poses.size(), truth.poses.size()));
+    found.remarks.push_back(fmt::format("{} against {} of the truth: paired by their number",
+                                        counted(estimate.poses.size(), "pose"),
+                                        truth.poses.size()));
   }
 }
 
@@ -108,12 +110,12 @@ PairedPoses pair_poses(const datasets::Trajectory& truth, const datasets::Trajec
     pair_by_time(truth, estimate, settings, found);
   }
   if (found.outside > 0) {
-    found.remarks.push_back(
-        fmt::format("{} poses of the estimate lie outside the time of the truth", found.outside));
+    found.remarks.push_back(fmt::format("{} of the estimate outside the time of the truth",
+                                        counted(found.outside, "pose")));
   }
   if (found.in_gaps > 0) {
-    found.remarks.push_back(fmt::format("{} poses lie in gaps of the truth longer than {:g} s",
-                                        found.in_gaps, settings.most_gap_s));
+    found.remarks.push_back(fmt::format("{} in gaps of the truth longer than {:g} s",
+                                        counted(found.in_gaps, "pose"), settings.most_gap_s));
   }
   if (found.pairs.size() >= kFewestPairs) return found;
   throw UserError(fmt::format(

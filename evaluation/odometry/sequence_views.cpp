@@ -36,6 +36,7 @@ bool SequenceViews::next(SequenceView& to) {
           "{}: does not tell how far apart the eyes are\n    hint: a calibration of both eyes",
           sequence_->calibration_file()));
     }
+    if (tell_) tell_(*rectifier_);
   }
   StereoFrame frame;
   rectifier_->rectify(look.left, look.right, frame);

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <functional>
 #include <opencv2/core/mat.hpp>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "striate/perception/visual_odometry/rigid_motion.hpp"
 #include "striate/perception/visual_odometry/stereo_eyes.hpp"
@@ -24,8 +26,10 @@ struct SequenceView {
 class SequenceViews {
  public:
   /// @param rectified the pictures are rectified already, whatever the calibration is of
-  SequenceViews(datasets::Sequence& sequence, bool rectified)
-      : sequence_(&sequence), rectified_(rectified) {}
+  /// @param tell is given the rectifier once, when the first view has told the pictures' size
+  SequenceViews(datasets::Sequence& sequence, bool rectified,
+                std::function<void(const datasets::PictureRectifier&)> tell = {})
+      : sequence_(&sequence), rectified_(rectified), tell_(std::move(tell)) {}
 
   /// @return false at the end
   /// @throws UserError where there is no calibration, no second eye or no baseline, saying what to
@@ -38,6 +42,7 @@ class SequenceViews {
  private:
   datasets::Sequence* sequence_;
   bool rectified_;
+  std::function<void(const datasets::PictureRectifier&)> tell_;
   std::optional<datasets::PictureRectifier> rectifier_;
 };
 

@@ -38,12 +38,24 @@ TEST(OdometryCommand, TellsWhereThereIsNoEstimateAndLeavesItOutOfTheTrajectory) 
   for (std::string line; std::getline(text, line);) lines.push_back(json::parse(line));
   ASSERT_EQ(lines.size(), 9U);
   EXPECT_EQ(lines[0]["reason"], "beginning");
+  EXPECT_TRUE(lines[0].contains("position_m"));
+  EXPECT_FALSE(lines[0].contains("noise_px"));  // nothing was measured
+  EXPECT_FALSE(lines[0].contains("from_keyframe_sigma_m"));
   EXPECT_EQ(lines[4]["reason"], "too_little_texture");
   EXPECT_FALSE(lines[4].contains("position_m"));
   EXPECT_EQ(lines[5]["reason"], "estimated");
   EXPECT_GT(lines[5]["from_keyframe_sigma_m"].get<double>(), 0.0);
   EXPECT_EQ(lines[8]["summary"]["known"], 5);
   EXPECT_EQ(datasets::read_trajectory(folder / "way.tum").poses.size(), 6U);
+}
+
+TEST(OdometryCommand, CountsOneAndTellsWhereThereIsNoEstimateAtAll) {
+  const TemporaryFolder folder;
+  const std::string sequence = write_rendered_sequence(folder, 1);
+  const Ended ended = striate({"odometry", sequence});
+  EXPECT_EQ(ended.exit_code, 1) << ended.err;
+  EXPECT_THAT(ended.out,
+              HasSubstr("1 view, 0 with an estimate, 0.00 m of way, begun anew 0 times"));
 }
 
 TEST(OdometryCommand, WantsTwoEyesAndACalibrationAndSaysSo) {

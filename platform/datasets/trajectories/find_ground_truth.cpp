@@ -51,6 +51,10 @@ std::optional<TruthFiles> in_folder(const fs::path& path) {
   return std::nullopt;
 }
 
+Trajectory read_truth_files(const TruthFiles& files, KittiTimes times) {
+  return read_trajectory(files.poses, times == KittiTimes::read ? files.times : fs::path());
+}
+
 }  // namespace
 
 fs::path ground_truth_file(const fs::path& path) {
@@ -60,16 +64,15 @@ fs::path ground_truth_file(const fs::path& path) {
   return found ? found->poses : fs::path();
 }
 
-Trajectory find_ground_truth(const fs::path& path) {
+Trajectory find_ground_truth(const fs::path& path, KittiTimes times) {
   std::error_code error;
   if (!fs::is_directory(path, error)) {
     if (!fs::exists(path, error)) {
       throw UserError(fmt::format("{}: there is no such file or folder", path.string()));
     }
-    const TruthFiles files = beside_file(path);
-    return read_trajectory(files.poses, files.times);
+    return read_truth_files(beside_file(path), times);
   }
-  if (const auto found = in_folder(path)) return read_trajectory(found->poses, found->times);
+  if (const auto found = in_folder(path)) return read_truth_files(*found, times);
   throw UserError(fmt::format(
       "{}: holds no ground truth\n    hint: EuRoC's mav0/state_groundtruth_estimate0/data.csv, "
       "KITTI's poses/NN.txt beside sequences/, TUM's groundtruth.txt; or give the file itself",

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string_view>
 
+#include "striate/base/counted.hpp"
 #include "striate/base/files.hpp"
 #include "striate/base/plain_text.hpp"
 #include "striate/base/user_error.hpp"
@@ -51,8 +52,8 @@ void put_in_order(Trajectory& trajectory) {
   trajectory.poses.erase(first, last);
   const std::size_t twice = before - trajectory.poses.size();
   if (twice > 0) {
-    trajectory.remarks.push_back(
-        fmt::format("{} poses have the time of another: the first of each counts", twice));
+    trajectory.remarks.push_back(fmt::format(
+        "{} with the time of another: the first of each counts", counted(twice, "pose")));
   }
 }
 
@@ -127,11 +128,12 @@ Trajectory read_trajectory_text(const std::string& given, const std::string& nam
   if (!times_ns.empty() && *format == Format::kitti &&
       times_ns.size() != static_cast<std::size_t>(count)) {
     if (times_ns.size() < static_cast<std::size_t>(count)) {
-      throw UserError(
-          fmt::format("{}: has {} poses, but there are {} times", name, count, times_ns.size()));
+      throw UserError(fmt::format("{}: has {} for {}", name, counted(times_ns.size(), "time"),
+                                  counted(static_cast<std::size_t>(count), "pose")));
     }
-    trajectory.remarks.push_back(fmt::format("there are {} times for {} poses: the first are taken",
-                                             times_ns.size(), count));
+    trajectory.remarks.push_back(fmt::format("{} for {}: the first are taken",
+                                             counted(times_ns.size(), "time"),
+                                             counted(static_cast<std::size_t>(count), "pose")));
   }
   put_in_order(trajectory);
   return trajectory;

@@ -35,9 +35,16 @@ struct Trajectory {
 [[nodiscard]] Trajectory read_trajectory_text(const std::string& text, const std::string& name,
                                               const std::string& times = {});
 
+/// Whether KITTI's poses get the times of their sequence.
+enum class KittiTimes {
+  read,     ///< where they lie as KITTI's do
+  left_out  ///< poses are counted, as those of an estimate without times are
+};
+
 /// The ground truth of a data set's folder: EuRoC's, KITTI's (poses/NN.txt for sequences/NN), TUM's
 /// groundtruth.txt; or a file of them. @throws UserError where there is none
-[[nodiscard]] Trajectory find_ground_truth(const std::filesystem::path& path);
+[[nodiscard]] Trajectory find_ground_truth(const std::filesystem::path& path,
+                                           KittiTimes times = KittiTimes::read);
 /// The file that it would read; empty: there is none.
 [[nodiscard]] std::filesystem::path ground_truth_file(const std::filesystem::path& path);
 

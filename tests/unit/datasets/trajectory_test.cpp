@@ -67,7 +67,7 @@ TEST(ReadTrajectory, LinesThatAreNoPoseAreLeftOutAndSaidAndTimesStandOnce) {
   EXPECT_THAT(read.remarks, Contains(HasSubstr("3 lines are no pose: left out; the first: t:3:3: "
                                                "'nan' is no number")));
   EXPECT_THAT(read.remarks, Contains(HasSubstr("times go back")));
-  EXPECT_THAT(read.remarks, Contains(HasSubstr("1 poses have the time of another")));
+  EXPECT_THAT(read.remarks, Contains(HasSubstr("1 pose with the time of another")));
 }
 
 TEST(ReadTrajectory, ALineOfKittiThatIsNoPoseKeepsItsTime) {
@@ -92,7 +92,7 @@ TEST(ReadTrajectory, SaysWhereAFileIsNone) {
   EXPECT_THAT(mistake("1 2 3 4 5 6 7 8\n"), HasSubstr("t:1:9: the quaternion has length"));
   EXPECT_THAT(mistake("2 0 0 0 0 1 0 0 0 0 1 0\n"), HasSubstr("no rotation"));
   EXPECT_THAT(mistake("1 0 0 0 0 1 0 0 0 0 1 0\n1 0 0 0 0 1 0 0 0 0 1 0\n", "0.1\n"),
-              HasSubstr("2 poses, but there are 1 times"));
+              HasSubstr("t: has 1 time for 2 poses"));
   EXPECT_THAT(mistake("1 0 0 0 0 1 0 0 0 0 1 0\n", "noon\n"), HasSubstr("times:1:1: 'noon'"));
 }
 
@@ -118,6 +118,9 @@ TEST(FindGroundTruth, LooksWhereEachSetKeepsIt) {
   write("euroc/mav0/state_groundtruth_estimate0/data.csv", "1403636580838555648,1,2,3,1,0,0,0\n");
   EXPECT_EQ(find_ground_truth(folder / "kitti/sequences/07").poses[0].stamp_ns, 250'000'000);
   EXPECT_EQ(find_ground_truth(folder / "kitti/poses/07.txt").poses[0].stamp_ns, 250'000'000);
+  EXPECT_FALSE(find_ground_truth(folder / "kitti/sequences/07", KittiTimes::left_out).timed);
+  EXPECT_FALSE(find_ground_truth(folder / "kitti/poses/07.txt", KittiTimes::left_out).timed);
+  EXPECT_TRUE(find_ground_truth(folder / "tum", KittiTimes::left_out).timed);
   EXPECT_EQ(find_ground_truth(folder / "tum").format, "TUM");
   EXPECT_EQ(find_ground_truth(folder / "euroc").format, "EuRoC");
   EXPECT_THROW((void)find_ground_truth(folder.path()), UserError);

@@ -82,7 +82,8 @@ TEST(VisualOdometryOutOfSight, FiftyDarkViewsAllowNoMotionThatFiveDoNot) {
     }
     // Six images of 0.02 rad are 0.12 rad.
     const VisualPose pose = odometry.see(room.see(room_pose({}, {0, 0.16, 0}), kLostView));
-    EXPECT_EQ(pose.reason, NoEstimate::motion_too_large) << dark_views << " " << text_of(pose.reason);
+    EXPECT_EQ(pose.reason, NoEstimate::motion_too_large)
+        << dark_views << " " << text_of(pose.reason);
   }
 }
 
