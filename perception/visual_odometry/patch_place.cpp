@@ -1,15 +1,20 @@
 #include "striate/perception/visual_odometry/patch_place.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
-#include <vector>
 
 namespace striate::perception {
 namespace {
 
 constexpr int kMostPatchSteps = 12;      // steps; from a keypoint five are usual
 constexpr double kPatchStep_px = 0.005;  // below what noise leaves, a stop
+
+constexpr int kHalf_px = 7;  // of the patch: 15 x 15 px on each level (see README)
+constexpr int kSide_px = 2 * kHalf_px + 1;
+constexpr int kWide_px = kSide_px + 2;  // with a border for the slopes
+using PatchValues = std::array<float, static_cast<std::size_t>(kSide_px* kSide_px)>;
 
 double on_level(double px, int level) {
   return std::ldexp(px + 0.5, -level) - 0.5;
@@ -35,7 +40,7 @@ bool sample(const cv::Mat1b& image, double u, double v, float& value) {
 }
 
 /// Mean 0 and length 1. @return the standard deviation before
-double normalise(std::vector<float>& values) {
+double normalise(PatchValues& values) {
   double sum = 0.0, squares = 0.0;
   for (const float value : values) sum += value;
   const double mean = sum / static_cast<double>(values.size());
@@ -52,37 +57,37 @@ double normalise(std::vector<float>& values) {
 
 /// The patch that is looked for, as the image should show it.
 struct Template {
-  std::vector<float> values;            ///< mean 0, length 1
-  std::vector<float> slope_u, slope_v;  ///< of these values
+  PatchValues values;            ///< mean 0, length 1
+  PatchValues slope_u, slope_v;  ///< of these values
   double uu = 0.0, uv = 0.0, vv = 0.0;
   double contrast = 0.0;
 
-  bool take(const cv::Mat1b& image, cv::Point2d at, const cv::Matx22d& back, int half) {
-    const int side = 2 * half + 3;  // with a border for the slopes
-    std::vector<float> wide(static_cast<std::size_t>(side * side));
-    for (int y = 0; y < side; ++y) {
-      for (int x = 0; x < side; ++x) {
-        const double du = x - half - 1, dv = y - half - 1;
+  bool take(const cv::Mat1b& image, cv::Point2d at, const cv::Matx22d& back) {
+    std::array<float, static_cast<std::size_t>(kWide_px * kWide_px)> wide;
+    for (int y = 0; y < kWide_px; ++y) {
+      for (int x = 0; x < kWide_px; ++x) {
+        const double du = x - kHalf_px - 1, dv = y - kHalf_px - 1;
         if (!sample(image, at.x + back(0, 0) * du + back(0, 1) * dv,
                     at.y + back(1, 0) * du + back(1, 1) * dv,
-                    wide[static_cast<std::size_t>(y * side + x)])) {
+                    wide[static_cast<std::size_t>(y * kWide_px + x)])) {
           return false;
         }
       }
     }
-    for (int y = 1; y + 1 < side; ++y) {
-      for (int x = 1; x + 1 < side; ++x) {
-        const float* here = wide.data() + y * side + x;
-        values.push_back(here[0]);
-        slope_u.push_back(0.5F * (here[1] - here[-1]));
-        slope_v.push_back(0.5F * (here[side] - here[-side]));
+    std::size_t k = 0;
+    for (int y = 1; y + 1 < kWide_px; ++y) {
+      for (int x = 1; x + 1 < kWide_px; ++x, ++k) {
+        const float* here = wide.data() + y * kWide_px + x;
+        values[k] = here[0];
+        slope_u[k] = 0.5F * (here[1] - here[-1]);
+        slope_v[k] = 0.5F * (here[kWide_px] - here[-kWide_px]);
       }
     }
     contrast = normalise(values);
     if (!(contrast > 0.0)) return true;
     const float scale =
         static_cast<float>(1.0 / (contrast * std::sqrt(static_cast<double>(values.size()))));
-    for (std::size_t k = 0; k < values.size(); ++k) {
+    for (k = 0; k < values.size(); ++k) {
       slope_u[k] *= scale;
       slope_v[k] *= scale;
       uu += slope_u[k] * slope_u[k];
@@ -93,13 +98,11 @@ struct Template {
   }
 };
 
-bool take_patch(const cv::Mat1b& image, cv::Point2d at, int half, std::vector<float>& values) {
-  values.clear();
-  float value = 0.0F;
-  for (int dv = -half; dv <= half; ++dv) {
-    for (int du = -half; du <= half; ++du) {
-      if (!sample(image, at.x + du, at.y + dv, value)) return false;
-      values.push_back(value);
+bool take_patch(const cv::Mat1b& image, cv::Point2d at, PatchValues& values) {
+  float* to = values.data();
+  for (int dv = -kHalf_px; dv <= kHalf_px; ++dv) {
+    for (int du = -kHalf_px; du <= kHalf_px; ++du) {
+      if (!sample(image, at.x + du, at.y + dv, *to++)) return false;
     }
   }
   return true;
@@ -116,12 +119,12 @@ PatchPlace follow(const Template& patch, const cv::Mat1b& image, cv::Point2d sta
   constexpr double kEdge = 0.01;
   const double trace = patch.uu + patch.vv;
   if (!(determinant > kEdge * 0.25 * trace * trace)) return place;
-  std::vector<float> seen;
+  PatchValues seen;
   cv::Point2d at = start;
   double likeness = 0.0;
   for (int step = 0; step < kMostPatchSteps; ++step) {
     place.result = PatchPlace::Result::outside;
-    if (!take_patch(image, at, settings.half_px, seen)) return place;
+    if (!take_patch(image, at, seen)) return place;
     normalise(seen);
     double u = 0.0, v = 0.0;
     likeness = 0.0;
@@ -164,8 +167,7 @@ PatchPlace find_patch(const PicturePyramid& reference, cv::Point2d at, const Pic
   const auto index = static_cast<std::size_t>(std::clamp(level, 0, PicturePyramid::kLevels - 1));
   const int down = static_cast<int>(index);
   Template patch;
-  if (!patch.take(reference.level[index], {on_level(at.x, down), on_level(at.y, down)}, back,
-                  settings.half_px)) {
+  if (!patch.take(reference.level[index], {on_level(at.x, down), on_level(at.y, down)}, back)) {
     return {};
   }
   if (patch.contrast < settings.least_contrast) {

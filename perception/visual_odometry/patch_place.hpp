@@ -15,7 +15,6 @@ struct PicturePyramid {
 };
 
 struct PatchSettings {
-  int half_px = 7;               ///< of the patch's side: 15 x 15 px, on each level (see README)
   double most_shift_px = 2.5;    ///< from where it is looked for, on each level: keypoints err less
   double least_likeness = 0.75;  ///< normalised correlation; below it something else is there
   double least_contrast = 3.0;   ///< standard deviation of the patch, grey levels of 255

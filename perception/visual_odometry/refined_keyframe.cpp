@@ -22,10 +22,10 @@ void RefinedKeyframe::begin(StereoLook look, const RigidMotion& world_from_camer
   add_to_window();
 }
 
-void RefinedKeyframe::replace(const StereoLook& look, const RigidMotion& look_from_keyframe,
+void RefinedKeyframe::replace(StereoLook look, const RigidMotion& look_from_keyframe,
                               std::size_t number, double noise_px) {
   world_from_keyframe_ = straightened(world_from_keyframe_ * inverse(look_from_keyframe));
-  look_ = look;
+  look_ = std::move(look);
   number_ = number;
   add_to_window();
   if (keyframes_ < 2 || !(noise_px > 0.0)) return;

@@ -17,7 +17,7 @@ class RefinedKeyframe {
   /// A later view takes its place, and the last keyframes are refined together.
   /// @param look its points carry the tracks of this one's
   /// @param noise_px measured, of a fine keypoint's place; 0: not known, nothing is refined
-  void replace(const StereoLook& look, const RigidMotion& look_from_keyframe, std::size_t number,
+  void replace(StereoLook look, const RigidMotion& look_from_keyframe, std::size_t number,
                double noise_px);
 
   [[nodiscard]] const StereoLook& look() const { return look_; }

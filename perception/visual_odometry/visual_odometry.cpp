@@ -157,7 +157,7 @@ class VisualOdometry::Parts {
   }
 
   void take_last_as_keyframe() {
-    keyframe_.replace(last_, last_from_keyframe_, last_number_, noise_px_);
+    keyframe_.replace(std::move(last_), last_from_keyframe_, last_number_, noise_px_);
     last_from_keyframe_ = {};
     last_is_other_ = false;
     best_agreeing_ = 0;
@@ -170,7 +170,7 @@ class VisualOdometry::Parts {
   RefinedKeyframe keyframe_;
   bool has_keyframe_ = false;
   bool way_lost_ = false;  ///< since the keyframe was given up; said where another begins
-  StereoLook last_;        ///< the last view with an estimate
+  StereoLook last_;        ///< the last view with an estimate, unless it has become the keyframe
   std::size_t last_number_ = 0;
   bool last_is_other_ = false;  ///< than the keyframe
   RigidMotion last_from_keyframe_;
