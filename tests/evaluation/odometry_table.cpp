@@ -149,24 +149,16 @@ evaluation::MethodRun run(const Loaded& loaded, const std::vector<Moment>& momen
   result.name = method.name;
   perception::VisualOdometry odometry(settings, method.source);
   datasets::Trajectory truth;
-  const auto before = static_cast<double>(std::clock());
+  const double before_s = evaluation::processor_s();
   for (std::size_t k = 0; k < moments.size(); ++k) {
     const perception::VisualPose& pose = odometry.see(moments[k].view);
     const auto stamp_ns = static_cast<std::int64_t>(k) * 100'000'000;
     truth.poses.push_back(moments[k].truth);
     truth.poses.back().stamp_ns = stamp_ns;
-    ++result.views;
-    result.begun_anew += pose.begun_anew;
-    if (!pose.known() && pose.reason != perception::NoEstimate::beginning) {
-      ++result.without;
-      continue;
-    }
-    result.estimate.poses.push_back(
-        evaluation::raw_camera_pose(pose.world_from_camera, cv::Matx33d::eye(), stamp_ns));
-    result.noise_px += pose.noise_px / static_cast<double>(moments.size());
+    evaluation::take_pose(pose, k, stamp_ns, cv::Matx33d::eye(), result);
   }
-  result.ms = 1e3 * (static_cast<double>(std::clock()) - before) / CLOCKS_PER_SEC /
-              static_cast<double>(moments.size());
+  result.ms = 1e3 * (evaluation::processor_s() - before_s);
+  evaluation::take_means(result);
   if (loaded.has_truth && result.estimate.poses.size() > 3) {
     result.scores = evaluation::score_odometry(truth, result.estimate, {});
   }
