@@ -4,6 +4,7 @@
 #include <cmath>
 #include <opencv2/calib3d.hpp>
 
+#include "striate/base/median.hpp"
 #include "striate/base/user_error.hpp"
 #include "striate/evaluation/calibration/calibration_checks.hpp"
 #include "striate/evaluation/calibration/consistent_pairs.hpp"
@@ -131,7 +132,7 @@ CalibrationReport calibrate_stereo(const std::vector<BoardPair>& pairs, const Ch
   std::vector<BoardPair> kept = without_wrong_looks(pairs, board, size_px);
   std::vector<double> errors_px;
   const pioneer::StereoCalibration lenses = lenses_of(kept, board, size_px, errors_px);
-  kept = chosen(kept, consistent_pairs(kept, board, lenses, middle_of(errors_px)));
+  kept = chosen(kept, consistent_pairs(kept, board, lenses, median_of(errors_px)));
   check_agreeing(kept, pairs);
   CalibrationReport report = calibrate_together(kept, board, lenses);
   for (std::size_t worst = far_worse(report.pairs); worst < kept.size();

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <opencv2/calib3d.hpp>
 
+#include "striate/base/median.hpp"
+
 namespace striate::evaluation {
 namespace {
 
@@ -45,14 +47,8 @@ double squared_heights(const BoardPair& pair, const pioneer::StereoCalibration& 
   return sum;
 }
 
-double middle_of(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 double limit_of(const std::vector<double>& errors_px) {
-  return std::max(pioneer::kPoor_px, kWorse * middle_of(errors_px));
+  return std::max(pioneer::kPoor_px, kWorse * median_of(errors_px));
 }
 
 }  // namespace striate::evaluation

@@ -24,8 +24,6 @@ struct Rectification {
                                      const pioneer::StereoCalibration& calibration,
                                      const Rectification& rectified);
 
-[[nodiscard]] double middle_of(std::vector<double> values);
-
 [[nodiscard]] double limit_of(const std::vector<double>& errors_px);
 
 }  // namespace striate::evaluation

@@ -8,12 +8,10 @@ namespace {
 
 using BundleMatrix36 = Eigen::Matrix<double, 3, 6>;
 using BundleMatrix63 = Eigen::Matrix<double, 6, 3>;
+using RowMatrix36 = Eigen::Matrix<double, 3, 6, Eigen::RowMajor>;
 using RowMatrix3 = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
 
-constexpr double kBundleCauchyChi3 =
-    8.0;                               // where a weight is half, as of one motion (refine_motion)
 constexpr double kBehindCost = 100.0;  // chi squared of a point behind a camera (by hand)
-constexpr double kBundleNearest_m = 1e-3;  // before the lens nothing is seen (by hand)
 
 struct LinearSight {
   int camera = 0;
@@ -26,20 +24,17 @@ struct LinearSight {
 bool linearise(const Bundle& bundle, const BundleSight& seen, LinearSight& linear) {
   const RigidMotion& pose = bundle.camera_from_world[static_cast<std::size_t>(seen.camera)];
   const cv::Vec3d p = pose * bundle.points_m[static_cast<std::size_t>(seen.point)];
-  if (p[2] < kBundleNearest_m) return false;
-  const cv::Matx33d slope_cv = sight_slope(bundle.eyes, p);
-  const Eigen::Matrix3d slope = Eigen::Map<const RowMatrix3>(slope_cv.val);
+  if (p[2] < kNearestSeen_m) return false;
+  const cv::Matx<double, 3, 6> slope = pose_slope(bundle.eyes, p);
   const cv::Vec3d r = seen.sight - sight_of(bundle.eyes, p);
   linear.camera = seen.camera;
   linear.residual = Eigen::Vector3d(r[0], r[1], r[2]);
-  Eigen::Matrix3d turning;
-  turning << 0, p[2], -p[1], -p[2], 0, p[0], p[1], -p[0], 0;  // -[p]x
-  linear.of_camera.leftCols<3>() = slope;
-  linear.of_camera.rightCols<3>() = slope * turning;
-  linear.of_point = slope * Eigen::Map<const RowMatrix3>(pose.rotation.val);
+  linear.of_camera = Eigen::Map<const RowMatrix36>(slope.val);
+  linear.of_point =
+      linear.of_camera.leftCols<3>() * Eigen::Map<const RowMatrix3>(pose.rotation.val);
   const double noise = seen.noise_px * bundle.noise_px;
   const double weight = 1.0 / (noise * noise);
-  linear.weight = weight / (1.0 + linear.residual.squaredNorm() * weight / kBundleCauchyChi3);
+  linear.weight = weight / (1.0 + linear.residual.squaredNorm() * weight / kCauchyChi3);
   return true;
 }
 
@@ -95,13 +90,13 @@ double bundle_cost(const Bundle& bundle) {
   for (const BundleSight& seen : bundle.sights) {
     const RigidMotion& pose = bundle.camera_from_world[static_cast<std::size_t>(seen.camera)];
     const cv::Vec3d p = pose * bundle.points_m[static_cast<std::size_t>(seen.point)];
-    if (p[2] < kBundleNearest_m) {
+    if (p[2] < kNearestSeen_m) {
       cost += kBehindCost;
       continue;
     }
     const cv::Vec3d r = seen.sight - sight_of(bundle.eyes, p);
     const double noise = seen.noise_px * bundle.noise_px;
-    cost += kBundleCauchyChi3 * std::log1p(r.dot(r) / (noise * noise * kBundleCauchyChi3));
+    cost += kCauchyChi3 * std::log1p(r.dot(r) / (noise * noise * kCauchyChi3));
   }
   return cost;
 }

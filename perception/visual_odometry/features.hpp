@@ -36,7 +36,7 @@ struct FeatureSet {
 [[nodiscard]] double descriptor_distance(const FeatureSet& a, std::size_t i, const FeatureSet& b,
                                          std::size_t j);
 
-/// Finds and describes at most so many keypoints, spread over the image (spread.hpp). The same
+/// Finds and describes at most so many keypoints, spread over the image (spread_evenly()). The same
 /// image must give the same features.
 using FeatureSource = std::function<void(const cv::Mat1b& grey, int most, FeatureSet& features)>;
 

@@ -92,10 +92,9 @@ int guesses_needed(double right_share, const MotionEstimateSettings& settings) {
 }  // namespace
 
 MotionEstimate find_motion(std::span<const MotionSight> sights, const StereoEyes& eyes,
-                           std::span<const RigidMotion> from,
-                           const MotionEstimateSettings& settings) {
+                           const RigidMotion& from, const MotionEstimateSettings& settings) {
   MotionEstimate estimate;
-  if (sights.size() < 3 || from.empty()) return estimate;
+  if (sights.size() < 3) return estimate;
   double best = static_cast<double>(sights.size());
   const auto try_motion = [&](const RigidMotion& motion) {
     const double loss = loss_of(sights, eyes, motion, settings.agree_px, best);
@@ -104,12 +103,12 @@ MotionEstimate find_motion(std::span<const MotionSight> sights, const StereoEyes
     estimate.now_from_then = motion;
     estimate.found = true;
   };
-  for (const RigidMotion& motion : from) try_motion(motion);
+  try_motion(from);
   int needed = settings.most_guesses;
   for (int guess = 0; guess < needed; ++guess) {
     const std::array<std::size_t, 3> chosen =
         three_of(sights.size(), static_cast<std::uint64_t>(guess));
-    RigidMotion motion = from[static_cast<std::size_t>(guess) % from.size()];
+    RigidMotion motion = from;
     if (!motion_of_three(sights, chosen, eyes, motion)) continue;
     const double before = best;
     try_motion(motion);

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
+
+#include "striate/base/median.hpp"
 
 namespace striate::perception {
 namespace {
@@ -33,8 +36,8 @@ class Follower {
     std::vector<std::size_t> points;
     for (std::size_t k = 0; k < places_m_.size(); ++k) {
       const cv::Vec3d p = motion * places_m_[k];
-      constexpr double kNearestSeen_m = 0.02;  // nearer nothing is in focus (by hand)
-      if (p[2] < kNearestSeen_m) continue;
+      constexpr double kNearestSharp_m = 0.02;  // nearer nothing is in focus (by hand)
+      if (p[2] < kNearestSharp_m) continue;
       const StereoSight sight = sight_of(now_.eyes, p);
       if (!(std::abs(sight[0]) < 2.0 * now_.size.width &&
             std::abs(sight[1]) < 2.0 * now_.size.height)) {
@@ -109,13 +112,6 @@ class Follower {
   std::vector<cv::Vec3d> places_m_;
 };
 
-double middle_of(std::vector<double> values) {
-  if (values.empty()) return 0.0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::ranges::nth_element(values, middle);
-  return *middle;
-}
-
 /// The points that agree, and what is said of them.
 void keep_agreeing(const StereoLook& then, const std::vector<FollowedPoint>& points,
                    Followed& followed) {
@@ -128,8 +124,8 @@ void keep_agreeing(const StereoLook& then, const std::vector<FollowedPoint>& poi
     depths_m.push_back(then.eyes.focal_px * then.eyes.baseline_m / after[2]);
     flows_px.push_back(std::hypot(after[0] - before[0], after[1] - before[1]));
   }
-  followed.median_depth_m = middle_of(std::move(depths_m));
-  followed.median_flow_px = middle_of(std::move(flows_px));
+  followed.median_depth_m = median_of(std::move(depths_m));
+  followed.median_flow_px = median_of(std::move(flows_px));
 }
 
 /// A motion that enough points agree on, with keypoints as exact as they are.
@@ -143,7 +139,7 @@ MotionEstimate first_motion(const Follower& follower, const StereoLook& now,
       followed.matches = std::max(followed.matches, static_cast<int>(matched.size()));
       if (static_cast<int>(matched.size()) < settings.least_points) continue;
       const auto sights = follower.sights(matched, false);
-      MotionEstimate found = find_motion(sights, now.eyes, {&motion, 1}, {});
+      MotionEstimate found = find_motion(sights, now.eyes, motion, {});
       if (!found.found || found.agreeing <= best.agreeing) continue;
       best = std::move(found);
       if (!follower.enough(best.agreeing, matched.size())) continue;

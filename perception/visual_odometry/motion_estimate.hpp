@@ -27,9 +27,9 @@ struct MotionEstimate {
 };
 
 /// The guess of three sights with which most agree (RANSAC, Fischler and Bolles 1981; the same
-/// sights, the same guesses). Guesses start at each of `from`, which are tried as they are, too.
+/// sights, the same guesses). Guesses start at `from`, which is tried as it is, too.
 [[nodiscard]] MotionEstimate find_motion(std::span<const MotionSight> sights,
-                                         const StereoEyes& eyes, std::span<const RigidMotion> from,
+                                         const StereoEyes& eyes, const RigidMotion& from,
                                          const MotionEstimateSettings& settings);
 
 /// Least squares from a motion that is nearly right, over the sights that agree with it, with

@@ -9,8 +9,6 @@ namespace {
 using Matrix6 = Eigen::Matrix<double, 6, 6, Eigen::RowMajor>;
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 
-constexpr double kNearest_m = 1e-3;  // before the lens nothing is seen (by hand)
-
 /// Numbers of metres and of radians side by side: each row and column is brought to 1 first, so
 /// that what is called singular does not depend on units.
 bool decompose(const cv::Matx66d& information, Eigen::LDLT<Matrix6>& ldlt, Vector6& scale) {
@@ -32,7 +30,7 @@ bool judge_sight(const MotionSight& sight, const StereoEyes& eyes, const RigidMo
                  SightError& error) {
   const cv::Vec3d turned = now_from_then.rotation * sight.point_m;
   error.point_now_m = turned + now_from_then.way_m;
-  if (error.point_now_m[2] < kNearest_m) return false;
+  if (error.point_now_m[2] < kNearestSeen_m) return false;
   error.residual_px = sight.now - sight_of(eyes, error.point_now_m);
   // How the sight moves with a pixel of the disparity then: the point moves along its ray.
   const cv::Vec3d along =
@@ -46,17 +44,7 @@ bool judge_sight(const MotionSight& sight, const StereoEyes& eyes, const RigidMo
 }
 
 void StepEquations::add(const SightError& error, const StereoEyes& eyes, double weight) {
-  const cv::Matx33d slope = sight_slope(eyes, error.point_now_m);
-  const cv::Vec3d& p = error.point_now_m;
-  const cv::Matx33d turning(0, p[2], -p[1], -p[2], 0, p[0], p[1], -p[0], 0);  // -[p]x
-  const cv::Matx33d turned = slope * turning;
-  cv::Matx<double, 3, 6> jacobian;
-  for (int i = 0; i < 3; ++i) {
-    for (int k = 0; k < 3; ++k) {
-      jacobian(i, k) = slope(i, k);
-      jacobian(i, k + 3) = turned(i, k);
-    }
-  }
+  const cv::Matx<double, 3, 6> jacobian = pose_slope(eyes, error.point_now_m);
   const cv::Matx<double, 3, 6> weighed = error.weight * jacobian * weight;
   for (int i = 0; i < 6; ++i) {
     for (int k = i; k < 6; ++k) {

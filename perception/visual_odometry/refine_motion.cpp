@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "striate/base/median.hpp"
 #include "striate/perception/visual_odometry/motion_estimate.hpp"
 
 namespace striate::perception {
@@ -10,15 +12,11 @@ constexpr int kRefineSteps = 15;          // steps; usually five are enough
 constexpr double kMedianOfChi3 = 2.366;   // median of chi squared with 3 degrees of freedom
 constexpr double kAgreeChi3 = 11.345;     // its 99 % quantile: beyond it a sight does not agree
 constexpr double kMeanBelowChi3 = 2.874;  // its mean where what lies beyond that is left out
-constexpr double kCauchyChi3 = 8.0;       // where the weight is half: 95 % quantile (by hand)
 constexpr double kRefinedStep = 1e-9;     // m or rad: no change that a camera could see
 
 /// Squared noise, by the median of what the sights' residuals are: half of them may be wrong.
 double squared_noise(std::vector<double> squared, double least_px) {
-  if (squared.empty()) return least_px * least_px;
-  const auto middle = squared.begin() + static_cast<std::ptrdiff_t>(squared.size() / 2);
-  std::ranges::nth_element(squared, middle);
-  return std::max(*middle / kMedianOfChi3, least_px * least_px);
+  return std::max(median_of(std::move(squared)) / kMedianOfChi3, least_px * least_px);
 }
 
 /// One step; the noise before it. What is far off does not count at all: more than half of the

@@ -5,6 +5,11 @@
 
 namespace striate::perception {
 
+inline constexpr double kNearestSeen_m = 1e-3;  // before the lens nothing is seen (by hand)
+/// Chi squared where a sight's weight is half (Cauchy): the 95 % quantile of three numbers (by
+/// hand)
+inline constexpr double kCauchyChi3 = 8.0;
+
 /// Two ideal cameras side by side. Camera frame: x right, y down, z forward, from the left eye.
 struct StereoEyes {
   double focal_px = 0.0;     ///< > 0
@@ -44,6 +49,23 @@ using StereoSight = cv::Vec3d;
   const double a = eyes.focal_px / point_m[2];
   const double b = a / point_m[2];
   return {a, 0.0, -b * point_m[0], 0.0, a, -b * point_m[1], 0.0, 0.0, -b * eyes.baseline_m};
+}
+
+/// d(u, v, disparity) / d(step) of the pose by which the point is seen, as nudged() takes it.
+[[nodiscard]] inline cv::Matx<double, 3, 6> pose_slope(const StereoEyes& eyes,
+                                                       const cv::Vec3d& point_m) {
+  const cv::Matx33d slope = sight_slope(eyes, point_m);
+  const cv::Vec3d& p = point_m;
+  const cv::Matx33d turned =
+      slope * cv::Matx33d(0, p[2], -p[1], -p[2], 0, p[0], p[1], -p[0], 0);  // -[p]x
+  cv::Matx<double, 3, 6> both;
+  for (int i = 0; i < 3; ++i) {
+    for (int k = 0; k < 3; ++k) {
+      both(i, k) = slope(i, k);
+      both(i, k + 3) = turned(i, k);
+    }
+  }
+  return both;
 }
 
 /// @throws std::invalid_argument for a number that is not finite, a focal length or baseline that

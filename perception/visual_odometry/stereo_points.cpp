@@ -18,12 +18,13 @@ PatchSettings patches_above(double noise) {
   return settings;
 }
 
-}  // namespace
-
+/// The level of the pyramid on which a keypoint of this scale is looked at.
 int level_of_scale(double scale) {
   // A patch of 15 px is to hold two wavelengths or more: 4 px at scale 1 (ours).
   return scale < 2.3 ? 0 : scale < 4.6 ? 1 : 2;
 }
+
+}  // namespace
 
 void look_with_both(const StereoView& view, const FeatureSource& source,
                     const VisualOdometrySettings& settings, StereoLook& look) {
@@ -37,7 +38,8 @@ void look_with_both(const StereoView& view, const FeatureSource& source,
   FeatureMatchSettings matching;
   matching.row_px = settings.row_px;
   const FeatureGrid grid(look.right, look.size);
-  const PatchSettings patches = patches_above(estimate_noise(view.left));
+  look.noise = estimate_noise(view.left);
+  const PatchSettings patches = patches_above(look.noise);
   for (const FeaturePair& pair :
        match_eyes(look.left, look.right, grid, look.size, view.eyes.doffs_px, matching)) {
     const Feature& left = look.left.features[pair.from];
@@ -56,7 +58,7 @@ void look_with_both(const StereoView& view, const FeatureSource& source,
 }
 
 int count_with_contrast(const StereoLook& look) {
-  const PatchSettings patches = patches_above(estimate_noise(look.left_picture.level[0]));
+  const PatchSettings patches = patches_above(look.noise);
   int count = 0;
   for (const Feature& feature : look.left.features) {
     const cv::Point2d at(feature.u_px, feature.v_px);

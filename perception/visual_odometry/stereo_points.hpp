@@ -25,6 +25,7 @@ struct StereoLook {
   StereoEyes eyes;
   cv::Size size;
   PicturePyramid left_picture, right_picture;
+  double noise = 0.0;  ///< of the left picture, grey levels
   FeatureSet left, right;
   std::vector<StereoPoint> points;
 };
@@ -35,8 +36,5 @@ void look_with_both(const StereoView& view, const FeatureSource& source,
 
 /// How many of the left eye's features lie where more than noise is to be seen.
 [[nodiscard]] int count_with_contrast(const StereoLook& look);
-
-/// The level of the pyramid on which a keypoint of this scale is looked at.
-[[nodiscard]] int level_of_scale(double scale);
 
 }  // namespace striate::perception

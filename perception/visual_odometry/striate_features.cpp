@@ -4,20 +4,10 @@
 #include <memory>
 
 namespace striate::perception {
-namespace {
-
-KeypointSettings as_many(KeypointSettings keypoints) {
-  constexpr int kMostFound =
-      4000;  // keypoints: more than are ever kept, so that all parts have some
-  keypoints.most = kMostFound;
-  return keypoints;
-}
-
-}  // namespace
 
 StriateFeatures::StriateFeatures(const StriateFeatureSettings& settings)
     : settings_(settings),
-      finder_(as_many(settings.keypoints)),
+      finder_(settings.keypoints),
       describer_(StriateSettings{.orientation = StriateOrientation::upright}) {}
 
 void StriateFeatures::operator()(const cv::Mat1b& grey, int most, FeatureSet& out) {

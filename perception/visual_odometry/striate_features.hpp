@@ -16,10 +16,11 @@ struct StriateFeatureSettings {
                              .scales = 5,
                              .threshold = 0.01,
                              .fine_first = 0.5,
-                             .most = 1000};
+                             // more than are ever kept, so that all parts of the image have some
+                             .most = 4000};
   double size_per_wavelength =
       0.84;  ///< diameter of the described frame over lambda, as recognition's
-  double most_distance_bits = 80.0;  ///< of 256; see README
+  double most_distance_bits = 80.0;  ///< of 256: true pairs are usually below (by hand)
 };
 
 /// V1 keypoints with Striate's own descriptor. Keeps its buffers.
