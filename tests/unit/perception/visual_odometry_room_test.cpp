@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "striate/perception/visual_odometry/visual_odometry.hpp"
@@ -33,11 +34,14 @@ TEST(VisualOdometryTest, FollowsAWayThroughARoom) {
   room.noise = 1.5;
   VisualOdometry odometry({});
   VisualPose pose;
+  int keyframes = 0;
   for (int k = 0; k <= 25; ++k) {
     pose = odometry.see(room.see(on_the_way(k), kRoomView, k));
     EXPECT_TRUE(pose.known() || k == 0) << k << " " << text_of(pose.reason);
     EXPECT_FALSE(pose.begun_anew);
+    keyframes += pose.keyframe;
   }
+  EXPECT_GE(keyframes, 3);  // it does not all hang on the first one
   // Two metres of way: one percent, and a tenth of a degree a metre.
   EXPECT_LT(place_error_m(pose, on_the_way(25)), 0.02);
   EXPECT_LT(turn_error_rad(pose, on_the_way(25)), 0.0035);
@@ -128,13 +132,16 @@ TEST(VisualOdometryTest, SomethingThatMovesByItselfDoesNotCarryItAway) {
   RenderedRoom room;
   VisualOdometry odometry({});
   VisualPose pose;
+  int most_on_it = 0;  // points that are seen again and go another way
   for (int k = 0; k <= 12; ++k) {
     RenderedRoom with = room;
     const double x = -2.0 + 0.15 * k;
     with.boxes.push_back({{x, -0.9, 2.6}, {x + 0.9, 1.2, 3.0}, 21});
     pose = odometry.see(with.see(on_the_way(k), kRoomView, k));
     EXPECT_TRUE(pose.known() || k == 0) << text_of(pose.reason);
+    most_on_it = std::max(most_on_it, pose.matches - pose.agreeing);
   }
+  EXPECT_GT(most_on_it, 20);
   EXPECT_LT(place_error_m(pose, on_the_way(12)), 0.02);
 }
 
