@@ -2,6 +2,7 @@
 
 #include <opencv2/core/matx.hpp>
 #include <optional>
+#include <vector>
 
 #include "striate/evaluation/odometry/pose_pairs.hpp"
 
