@@ -28,7 +28,7 @@ class BestTwo {
   [[nodiscard]] std::size_t index() const { return best_index_; }
   [[nodiscard]] double distance() const { return best_; }
   [[nodiscard]] bool clear(double most_ratio) const {
-    return best_index_ != kNoFeature && best_ <= set_->most_distance &&
+    return best_index_ != kNoFeature && best_ <= set_->most_distance && best_ < second_ &&
            best_ <= most_ratio * second_;
   }
 

@@ -14,7 +14,6 @@
 namespace striate::scenarios {
 namespace {
 
-using nlohmann::json;
 using reference::write_rendered_sequence;
 using testing::HasSubstr;
 using testing::Not;
@@ -68,7 +67,8 @@ TEST(JudgedOdometry, WithoutAnyEstimateTheExitCodeSaysSo) {
   const std::string sequence = write_rendered_sequence(folder, 3, 0, 3);
   const Ended ended = striate({"eval", "odometry", sequence, "--json", "--out", folder / "out"});
   EXPECT_EQ(ended.exit_code, 1) << ended.err;
-  for (const json& run : json::parse(ended.out)) EXPECT_EQ(run["share_without"], 1.0);
+  for (const nlohmann::json& run : nlohmann::json::parse(ended.out))
+    EXPECT_EQ(run["share_without"], 1.0);
 }
 
 TEST(JudgedOdometry, WhatIsAssumedOfCameraAndTruthIsSaidOnce) {
@@ -86,7 +86,7 @@ TEST(JudgedOdometry, WhatIsAssumedOfCameraAndTruthIsSaidOnce) {
                                "--json", "--out", folder / "again"});
   ASSERT_EQ(again.exit_code, 0) << again.err;
   EXPECT_EQ(times_in(again.err, "and inverted"), 1) << again.err;
-  EXPECT_LT(json::parse(again.out)["rpe_deg"]["rmse"].get<double>(), 1.0);
+  EXPECT_LT(nlohmann::json::parse(again.out)["rpe_deg"]["rmse"].get<double>(), 1.0);
   const Ended alone = striate({"odometry", sequence, "--to", "1"});
   EXPECT_EQ(times_in(alone.err, "calibration: KITTI"), 1) << alone.err;
 }
@@ -103,8 +103,8 @@ TEST(JudgedOdometry, ALineThatIsNoPoseShiftsNothingWithTimesAndWithout) {
     const Ended ended = striate({"eval", "odometry", estimate, "--truth", folder / "truth",
                                  "--json", "--out", folder / "out"});
     ASSERT_EQ(ended.exit_code, 0) << ended.err;
-    EXPECT_EQ(json::parse(ended.out)["poses"], 19);
-    EXPECT_LT(json::parse(ended.out)["ate_m"]["rmse"].get<double>(), 1e-9) << times;
+    EXPECT_EQ(nlohmann::json::parse(ended.out)["poses"], 19);
+    EXPECT_LT(nlohmann::json::parse(ended.out)["ate_m"]["rmse"].get<double>(), 1e-9) << times;
   }
 }
 
@@ -120,7 +120,7 @@ TEST(JudgedOdometry, PicturesWithoutTimesArePairedByTheirNumberWithPosesThatHave
   const Ended ended = striate({"eval", "odometry", sequence, "--truth", folder / "truth/poses.txt",
                                "--json", "--out", folder / "out"});
   ASSERT_EQ(ended.exit_code, 0) << ended.err;
-  const json scores = json::parse(ended.out)[0]["scores"];
+  const nlohmann::json scores = nlohmann::json::parse(ended.out)[0]["scores"];
   EXPECT_EQ(scores["poses"], 5);
   EXPECT_LT(scores["ate_m"]["rmse"].get<double>(), 0.005);
   const Ended tum = striate(
@@ -161,7 +161,7 @@ TEST(JudgedOdometry, ATruthOfTheBodyIsMovedToTheCameraOfItsSet) {
     words.insert(words.end(), more.begin(), more.end());
     const Ended ended = striate(words);
     EXPECT_EQ(ended.exit_code, 0) << ended.err;
-    return std::pair(json::parse(ended.out), ended.err);
+    return std::pair(nlohmann::json::parse(ended.out), ended.err);
   };
   const auto [moved, said] = judged({});
   EXPECT_LT(moved["ate_m"]["rmse"].get<double>(), 1e-6);

@@ -12,7 +12,6 @@
 namespace striate::scenarios {
 namespace {
 
-using nlohmann::json;
 using reference::write_rendered_sequence;
 using testing::HasSubstr;
 
@@ -33,9 +32,9 @@ TEST(OdometryCommand, TellsWhereThereIsNoEstimateAndLeavesItOutOfTheTrajectory) 
   const std::string sequence = write_rendered_sequence(folder, 8, 3, 2);
   const Ended ended = striate({"odometry", sequence, "--json", "--out", folder / "way.tum"});
   EXPECT_EQ(ended.exit_code, 0) << ended.err;
-  std::vector<json> lines;
+  std::vector<nlohmann::json> lines;
   std::istringstream text(ended.out);
-  for (std::string line; std::getline(text, line);) lines.push_back(json::parse(line));
+  for (std::string line; std::getline(text, line);) lines.push_back(nlohmann::json::parse(line));
   ASSERT_EQ(lines.size(), 9U);
   EXPECT_EQ(lines[0]["reason"], "beginning");
   EXPECT_TRUE(lines[0].contains("position_m"));
@@ -78,7 +77,7 @@ TEST(EvalOdometryOfASequence, ComparesWithOrbAndSiftInOneRun) {
   const std::string sequence = write_rendered_sequence(folder, 12);
   const Ended ended = striate({"eval", "odometry", sequence, "--json", "--out", folder / "out"});
   ASSERT_EQ(ended.exit_code, 0) << ended.err;
-  const json runs = json::parse(ended.out);
+  const nlohmann::json runs = nlohmann::json::parse(ended.out);
   ASSERT_EQ(runs.size(), 3U);
   EXPECT_EQ(runs[0]["features"], "Striate");
   EXPECT_EQ(runs[1]["features"], "ORB");
@@ -93,7 +92,7 @@ TEST(EvalOdometryOfASequence, ComparesWithOrbAndSiftInOneRun) {
   const Ended again = striate({"eval", "odometry", folder / "out/Striate.tum", "--truth", sequence,
                                "--json", "--out", folder / "again"});
   ASSERT_EQ(again.exit_code, 0) << again.err;
-  EXPECT_NEAR(json::parse(again.out)["ate_m"]["rmse"].get<double>(),
+  EXPECT_NEAR(nlohmann::json::parse(again.out)["ate_m"]["rmse"].get<double>(),
               runs[0]["scores"]["ate_m"]["rmse"].get<double>(), 1e-6);
 }
 
@@ -102,7 +101,7 @@ TEST(EvalOdometryOfASequence, DarkPicturesAreViewsWithoutAnEstimateOfEveryMethod
   const std::string sequence = write_rendered_sequence(folder, 8, 3, 2);
   const Ended ended = striate({"eval", "odometry", sequence, "--json", "--out", folder / "out"});
   ASSERT_EQ(ended.exit_code, 0) << ended.err;
-  for (const json& run : json::parse(ended.out)) {
+  for (const nlohmann::json& run : nlohmann::json::parse(ended.out)) {
     EXPECT_EQ(run["without_estimate"], 2) << run["features"];
     EXPECT_EQ(run["why"]["too_little_texture"], 2) << run["features"];
   }
