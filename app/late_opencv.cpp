@@ -1,5 +1,6 @@
-// Linked into the program `striate` alone; see late_opencv.hpp. The names are those of the Itanium
-// C++ ABI, under which a member function is a function that takes the object first.
+// Linked into programs, `striate` and tests, not into libraries; see late_opencv.hpp. The names are
+// those of the Itanium C++ ABI, under which a member function is a function that takes the object
+// first.
 #include "striate/app/late_opencv.hpp"
 
 #include <dlfcn.h>

@@ -2,9 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <opencv2/imgproc.hpp>
-#include <opencv2/videoio.hpp>
 
 #include "tests/reference/scattered_pair.hpp"
+#include "tests/reference/write_motion_jpeg.hpp"
 #include "tests/scenarios/striate_process.hpp"
 
 /// The program loads OpenCV's readers of images and videos when it needs them.
@@ -27,11 +27,7 @@ TEST(LateOpencv, AVideoIsOpenedAndRead) {
   cv::Mat both;
   cv::hconcat(eyes.left, eyes.right, both);
   cv::cvtColor(both, both, cv::COLOR_GRAY2BGR);
-  {
-    cv::VideoWriter writer(folder / "d.avi", cv::CAP_OPENCV_MJPEG,
-                           cv::VideoWriter::fourcc('M', 'J', 'P', 'G'), 20.0, both.size());
-    for (int i = 0; i < 20; ++i) writer.write(both);
-  }
+  reference::write_motion_jpeg(folder / "d.avi", std::vector<cv::Mat>(20, both), 20);
   const std::string robot = folder.write(
       "robot.yaml", "pioneer:\n  devices: {base: \"tcp://127.0.0.1:1\", camera: \"video:" +
                         (folder / "d.avi") + "\"}\n");

@@ -83,8 +83,10 @@ TEST(Outputs, AFolderThatCannotBeWrittenIntoIsSaidBeforeAnyWork) {
 
 TEST(Outputs, NothingIsWrittenOverWhatElseIsNamed) {
   const TemporaryFolder folder;
-  const std::string task = folder.write("task.yaml", read_text("config/tasks/corridor.yaml"));
-  const std::string world = folder.write("world.yaml", read_text("config/worlds/short.yaml"));
+  const std::string task =
+      folder.write("task.yaml", read_text(kRoot + "config/tasks/corridor.yaml"));
+  const std::string world =
+      folder.write("world.yaml", read_text(kRoot + "config/worlds/short.yaml"));
   const std::string out = folder / "out";
   expect_refused({
       {{"run", task, "--world", world, "--record", task}, "the task script and --record are the"},
@@ -96,7 +98,7 @@ TEST(Outputs, NothingIsWrittenOverWhatElseIsNamed) {
       {{"task", "show", task, "--svg", task}, "the task script and --svg are the same file"},
       {{"task", "show", task, "--svg", out, "--xml", out}, "--svg and --xml are the same file"},
   });
-  EXPECT_EQ(read_text(task), read_text("config/tasks/corridor.yaml"));
+  EXPECT_EQ(read_text(task), read_text(kRoot + "config/tasks/corridor.yaml"));
   EXPECT_FALSE(std::filesystem::exists(out));
 }
 

@@ -81,7 +81,7 @@ TEST(Reports, AFolderThatIsGoneEndsNoMission) {
   const std::string words =
       kShortRun + std::string(
                       "--var 'way=11 m' --quiet --result $r --pictures $f/p "
-                      "--picture-every 5 & until [ -e $f/p ]; do sleep 0.1; done; "
+                      "--picture-every 5 & until ls $f/p/* 2> $f/no; do sleep 0.1; done; "
                       "rm -r $f/p; wait $!");
   expect_success(result_of(words, ended), words);
   EXPECT_EQ(ended.exit_code, 1);

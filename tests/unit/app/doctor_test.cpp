@@ -4,7 +4,6 @@
 #include <filesystem>
 #include <fstream>
 #include <opencv2/imgproc.hpp>
-#include <opencv2/videoio.hpp>
 
 #include "striate/app/doctor/configuration.hpp"
 #include "striate/app/doctor/devices.hpp"
@@ -13,6 +12,7 @@
 #include "striate/platform/pioneer/camera/stereo_calibration.hpp"
 #include "tests/reference/scattered_pair.hpp"
 #include "tests/reference/temporary_folder.hpp"
+#include "tests/reference/write_motion_jpeg.hpp"
 
 namespace striate::app {
 namespace {
@@ -132,11 +132,7 @@ TEST(Doctor, LooksAtTheEyesOfACameraThatGivesPairs) {
   const reference::EyeImages eyes = reference::scattered_pair(4, 60.0, 6.0, {320, 240});
   cv::Mat3b both;
   cv::hconcat(colour(eyes.left), colour(eyes.right), both);
-  {
-    cv::VideoWriter writer(folder / "d.avi", cv::CAP_OPENCV_MJPEG,
-                           cv::VideoWriter::fourcc('M', 'J', 'P', 'G'), 20.0, both.size());
-    for (int i = 0; i < 20; ++i) writer.write(both);
-  }
+  reference::write_motion_jpeg(folder / "d.avi", std::vector<cv::Mat>(20, both), 20);
   pioneer::PioneerSettings settings;
   settings.devices = {"tcp://127.0.0.1:1", "", "", "video:" + (folder / "d.avi")};
   ASSERT_NE(about(look_at_places(settings), "eyes of"), nullptr);

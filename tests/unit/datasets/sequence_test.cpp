@@ -8,6 +8,7 @@
 
 #include "striate/base/user_error.hpp"
 #include "tests/reference/temporary_folder.hpp"
+#include "tests/reference/write_motion_jpeg.hpp"
 #include "tests/unit/datasets/calibration_texts.hpp"
 
 namespace striate::datasets {
@@ -190,15 +191,13 @@ TEST(OpenSequence, BothEyesMayStandSideBySideWhenSaidOrWhenTheCalibrationIsOfHal
 
 TEST(OpenSequence, ReadsVideosOfBothEyes) {
   const reference::TemporaryFolder folder;
-  cv::VideoWriter writer(folder / "both.avi", cv::VideoWriter::fourcc('M', 'J', 'P', 'G'), 10.0,
-                         {128, 48});
-  ASSERT_TRUE(writer.isOpened());
+  std::vector<cv::Mat> video;
   for (int k = 0; k < 6; ++k) {
     cv::Mat3b frame(48, 128, cv::Vec3b::all(static_cast<uchar>(40 * k)));
     frame.colRange(64, 128).setTo(cv::Scalar::all(40 * k + 20));
-    writer.write(frame);
+    video.push_back(frame);
   }
-  writer.release();
+  reference::write_motion_jpeg(folder / "both.avi", video, 10);
   SequenceOptions options;
   options.side_by_side = true;
   options.every = 2;

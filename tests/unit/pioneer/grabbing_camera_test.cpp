@@ -2,6 +2,7 @@
 
 #include <opencv2/videoio.hpp>
 #include <thread>
+#include <vector>
 
 #include "striate/base/user_error.hpp"
 #include "striate/platform/pioneer/camera/bumblebee_image.hpp"
@@ -9,6 +10,7 @@
 #include "striate/platform/pioneer/camera/stereo_camera.hpp"
 #include "striate/platform/pioneer/steady_clock.hpp"
 #include "tests/reference/temporary_folder.hpp"
+#include "tests/reference/write_motion_jpeg.hpp"
 
 namespace striate::pioneer {
 namespace {
@@ -17,15 +19,14 @@ using namespace std::chrono_literals;
 
 /// Both eyes side by side: dark left, bright right; each image a little brighter.
 void write_video(const std::string& file, int pictures) {
-  cv::VideoWriter writer(file, cv::CAP_OPENCV_MJPEG, cv::VideoWriter::fourcc('M', 'J', 'P', 'G'),
-                         20.0, cv::Size(640, 240));
-  ASSERT_TRUE(writer.isOpened());
+  std::vector<cv::Mat> video;
   for (int i = 0; i < pictures; ++i) {
     cv::Mat3b image(240, 640);
     image.colRange(0, 320).setTo(cv::Scalar::all(40 + i));
     image.colRange(320, 640).setTo(cv::Scalar::all(160 + i));
-    writer.write(image);
+    video.push_back(image);
   }
+  reference::write_motion_jpeg(file, video, 20);
 }
 
 double brightness(const cv::Mat3b& image) {
