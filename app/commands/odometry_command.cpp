@@ -1,8 +1,11 @@
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "striate/app/commands/commands.hpp"
 #include "striate/app/commands/odometry_options.hpp"
 #include "striate/app/interrupt.hpp"
+#include "striate/base/files_apart.hpp"
 
 namespace striate::app {
 namespace {
@@ -15,6 +18,11 @@ struct OdometryCommand {
 int run_odometry(const OdometryCommand& command) {
   SequenceOdometryOptions options = command.given;
   options.sequence = command.sequence.read();
+  std::vector<NamedFile> read{{"the sequence", options.source}};
+  for (const std::filesystem::path& file : options.sequence.calibration) {
+    read.push_back({"--calibration", file.string()});
+  }
+  check_apart({{"--out", options.out}}, read);
   const Interrupt interrupt(Interrupt::BrokenOutput::ends);
   options.stopped = [] { return Interrupt::requested(); };
   return tell_odometry(options);

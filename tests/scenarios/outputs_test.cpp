@@ -95,6 +95,8 @@ TEST(Outputs, NothingIsWrittenOverWhatElseIsNamed) {
       {{"run", task, "--world", world, "--mcap", world}, "--world and --mcap are the same file"},
       {{"run", task, "--world", world, "--memory", out, "--inspect", folder / "./out"},
        "--memory and --inspect are"},
+      {{"odometry", folder / "v.avi", "--calibration", task, "--out", task},
+       "--calibration and --out are the same file"},
       {{"task", "show", task, "--svg", task}, "the task script and --svg are the same file"},
       {{"task", "show", task, "--svg", out, "--xml", out}, "--svg and --xml are the same file"},
   });
