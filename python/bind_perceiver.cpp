@@ -105,7 +105,7 @@ Options options_of(const py::kwargs& kwargs, const char* who) {
   return take_options(given);
 }
 
-/// For the test that compares them with the stub.
+/// All options by name: the stub must list the same ones (tests/python/test_interface.py).
 py::tuple option_names() {
   GivenOptions none(py::kwargs(), "perceive");
   (void)take_options(none);

@@ -8,7 +8,8 @@
 
 namespace striate::perception {
 
-/// Of what shows by about a pixel of the working size: so many times that size (ours).
+/// What shows by about one pixel of the working image is looked for in an image so many times as
+/// wide (ours).
 inline constexpr int kFinerSize = 2;
 
 /// Low things on the near floor: a parcel, a plank, a step. At the working size they rise above the
