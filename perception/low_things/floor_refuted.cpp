@@ -22,54 +22,35 @@ cv::Mat1f without_mean(const cv::Mat1w& image) {
   return grey - mean;
 }
 
-/// Mean square over each patch of left(u) - right(u - shift).
-cv::Mat1f left_over(const cv::Mat1f& left, const cv::Mat1f& right, int shift) {
-  cv::Mat1f square(left.size(), 0.0F);
-  for (int v = 0; v < left.rows; ++v) {
-    const float* l = left[v];
-    const float* r = right[v];
-    float* to = square[v];
-    for (int u = shift; u < left.cols; ++u) to[u] = (l[u] - r[u - shift]) * (l[u] - r[u - shift]);
-  }
-  cv::Mat1f mean;
-  cv::boxFilter(square, mean, CV_32F, kPatch, {-1, -1}, true, cv::BORDER_REPLICATE);
-  return mean;
-}
-
-/// Disparities to the nearest pixel, -1 where there is none. @param most grows to the largest
-cv::Mat1i whole_shifts(const cv::Mat1f& moved, int& most) {
-  cv::Mat1i shifts(moved.size(), -1);
-  for (int v = 0; v < moved.rows; ++v) {
-    for (int u = 0; u < moved.cols; ++u) {
-      if (!std::isfinite(moved(v, u))) continue;
-      shifts(v, u) = round_within(moved(v, u), 0, moved.cols - 1);
-      most = std::max(most, shifts(v, u));
-    }
-  }
-  return shifts;
-}
-
 }  // namespace
 
-cv::Mat1f floor_refuted_by(const FloorBand& band, const cv::Mat1f& moved, double floor_px) {
-  cv::Mat1f refuted(moved.size(), 1.0F);
-  const int at_floor = round_within(floor_px, 0, moved.cols - 1);
-  int most = at_floor;
-  const cv::Mat1i shifts = whole_shifts(moved, most);
-  if (most == at_floor) return refuted;
-  const cv::Mat1f left = without_mean(band.left);
-  const cv::Mat1f right = without_mean(band.right);
-  const cv::Mat1f on_floor = left_over(left, right, at_floor);
-  for (int shift = at_floor + 1; shift <= most; ++shift) {
-    const cv::Mat1f here = left_over(left, right, shift);
-    for (int v = 0; v < moved.rows; ++v) {
-      for (int u = 0; u < moved.cols; ++u) {
-        if (shifts(v, u) != shift) continue;
-        refuted(v, u) = (on_floor(v, u) + kLeastLeft) / (here(v, u) + kLeastLeft);
-      }
+FloorRefutation::FloorRefutation(const FloorBand& band, double floor_px)
+    : left_(without_mean(band.left)),
+      right_(without_mean(band.right)),
+      floor_px_(round_within(floor_px, 0, band.left.cols - 1)) {}
+
+/// Mean square over the patch of left(u) - right(u - shift); the outermost pixels stand for what is
+/// beyond them.
+float FloorRefutation::left_over(int row, int column, int shift_px) const {
+  double sum = 0.0;
+  for (int dv = -kPatch.height / 2; dv <= kPatch.height / 2; ++dv) {
+    const int v = std::clamp(row + dv, 0, left_.rows - 1);
+    const float* l = left_[v];
+    const float* r = right_[v];
+    for (int du = -kPatch.width / 2; du <= kPatch.width / 2; ++du) {
+      const int u = std::clamp(column + du, 0, left_.cols - 1);
+      if (u < shift_px) continue;  // seen by the left eye alone
+      const float difference = l[u] - r[u - shift_px];
+      sum += static_cast<double>(difference * difference);
     }
   }
-  return refuted;
+  return static_cast<float>(sum / kPatch.area());
+}
+
+float FloorRefutation::at(int row, int column, float disparity_px) const {
+  const int shift_px = round_within(disparity_px, 0, left_.cols - 1);
+  return (left_over(row, column, floor_px_) + kLeastLeft) /
+         (left_over(row, column, shift_px) + kLeastLeft);
 }
 
 }  // namespace striate::perception

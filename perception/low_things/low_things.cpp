@@ -101,41 +101,31 @@ DisparityMap LowThingFinder::measure(const StereoFrame& frame, const cv::Mat1b& 
   const FloorBand band = cut_floor_band(left_fine, right_fine, geometry, first_row, kFloorAt_px);
   matcher_.match(band.left, band.right, fine);
   describe_band(coarse, band.first_row, fine);
-  drop_what_may_be_floor(band, fine);
   trust_only_what_agrees(band, coarse, fine);
   return fine;
 }
 
-/// A pixel above the floor says something only if the floor does not explain it as well.
-void LowThingFinder::drop_what_may_be_floor(const FloorBand& band, DisparityMap& fine) const {
-  const cv::Mat1f refuted = floor_refuted_by(band, fine.disparity_px, kFloorAt_px);
-  for (int row = 0; row < fine.disparity_px.rows; ++row) {
-    for (int u = 0; u < fine.disparity_px.cols; ++u) {
-      float& d = fine.disparity_px(row, u);
-      const bool above = d > kFloorAt_px + settings_.floor_margin_px;
-      if (d == kNoMatch || !above || refuted(row, u) >= settings_.refuted) continue;
-      d = kNoMatch;
-      fine.confidence(row, u) = 0.0F;
-    }
-  }
-}
-
 /// Few disparities were searched, so what stands higher than they reach has found a wrong one: the
-/// working size, which searches all, knows better.
+/// working size, which searches all, knows better. And a pixel above the floor says something only
+/// if the floor does not explain it as well.
 void LowThingFinder::trust_only_what_agrees(const FloorBand& band, const DisparityMap& coarse,
                                             DisparityMap& fine) const {
+  const FloorRefutation refutation(band, kFloorAt_px);
   for (int row = 0; row < fine.disparity_px.rows; ++row) {
     const int coarse_row =
         std::min(coarse.disparity_px.rows - 1, (band.first_row + row) / kFinerSize);
     for (int u = 0; u < fine.disparity_px.cols; ++u) {
       float& d = fine.disparity_px(row, u);
       if (d == kNoMatch) continue;
+      const float in_band = d;
       d += static_cast<float>(band.moved_px[static_cast<std::size_t>(row)]);
       const int coarse_u = std::min(coarse.disparity_px.cols - 1, u / kFinerSize);
       const float expected = kFinerSize * coarse.disparity_px(coarse_row, coarse_u);
       const bool known = coarse.confidence(coarse_row, coarse_u) >= kBandTrusted;
       const bool in_both = d > 0.0F && d <= static_cast<float>(u);
-      if (in_both && known && std::abs(expected - d) <= kApart_px) continue;
+      const bool agrees = in_both && known && std::abs(expected - d) <= kApart_px;
+      const bool above = in_band > kFloorAt_px + settings_.floor_margin_px;
+      if (agrees && (!above || refutation.at(row, u, in_band) >= settings_.refuted)) continue;
       d = kNoMatch;
       fine.confidence(row, u) = 0.0F;
     }

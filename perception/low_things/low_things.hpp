@@ -31,7 +31,6 @@ class LowThingFinder {
 
  private:
   [[nodiscard]] int first_row_of(const ViewGeometry& geometry, int rows) const;
-  void drop_what_may_be_floor(const FloorBand& band, DisparityMap& fine) const;
   void trust_only_what_agrees(const FloorBand& band, const DisparityMap& coarse,
                               DisparityMap& fine) const;
 

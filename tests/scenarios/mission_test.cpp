@@ -36,25 +36,33 @@ TEST(ShortMission, ReachesTheGoalByVisionAloneAndWritesItsImages) {
   EXPECT_TRUE(std::filesystem::exists(folder / "p/overview_00040.png"));
 }
 
+Ended short_trial(const TemporaryFolder& folder, const std::vector<std::string>& more) {
+  const std::string task = folder.write(
+      "some_way.yaml",
+      "striate: 1\ndo:\n  - traverse_corridor: {speed: 0.6 m/s}\n    until: {progress: 2.5 m}\n");
+  std::vector<std::string> words{
+      "trial", "--task", task, "--worlds", "config/worlds/short.yaml", "--runs", "2", "--quiet"};
+  words.insert(words.end(), more.begin(), more.end());
+  return striate(words);
+}
+
 TEST(ShortMission, TheSameSeedTwiceGivesTheSameResultAlsoInATrialOfTwoJobs) {
   const TemporaryFolder folder;
   for (const char* name : {"a", "b"}) {
-    const Ended ended = striate({"trial", "--worlds", "config/worlds/short.yaml", "--runs", "2",
-                                 "--jobs", "2", "--quiet", "--out", folder / name});
+    const Ended ended = short_trial(folder, {"--jobs", "2", "--out", folder / name});
     ASSERT_EQ(ended.exit_code, 0) << ended.err;
   }
   for (const char* seed : {"001", "002"}) {
     const std::string file = std::string("runs/short_seed") + seed + ".json";
     EXPECT_EQ(without_wall_clock(folder / "a/" + file), without_wall_clock(folder / "b/" + file));
   }
-  EXPECT_NE(without_wall_clock(folder / "a/runs/short_seed001.json").at("duration_s"),
-            without_wall_clock(folder / "a/runs/short_seed002.json").at("duration_s"));
+  EXPECT_NE(without_wall_clock(folder / "a/runs/short_seed001.json").at("distance_m"),
+            without_wall_clock(folder / "a/runs/short_seed002.json").at("distance_m"));
 
   // A trial that lost a run goes on with that run alone.
   std::filesystem::remove(folder / "a/runs/short_seed002.json");
   const auto kept = std::filesystem::last_write_time(folder / "a/runs/short_seed001.json");
-  const Ended resumed = striate({"trial", "--worlds", "config/worlds/short.yaml", "--runs", "2",
-                                 "--quiet", "--out", folder / "a"});
+  const Ended resumed = short_trial(folder, {"--out", folder / "a"});
   EXPECT_EQ(resumed.exit_code, 0) << resumed.err;
   EXPECT_EQ(std::filesystem::last_write_time(folder / "a/runs/short_seed001.json"), kept);
   EXPECT_EQ(without_wall_clock(folder / "a/runs/short_seed002.json"),
@@ -62,8 +70,7 @@ TEST(ShortMission, TheSameSeedTwiceGivesTheSameResultAlsoInATrialOfTwoJobs) {
   EXPECT_THAT(resumed.out, testing::HasSubstr("| short | "));
 
   // Results of another kind are not mixed in.
-  const Ended other = striate({"trial", "--worlds", "config/worlds/short.yaml", "--runs", "2",
-                               "--no-emergency", "--quiet", "--out", folder / "a"});
+  const Ended other = short_trial(folder, {"--no-emergency", "--out", folder / "a"});
   EXPECT_EQ(other.exit_code, 2);
   EXPECT_THAT(other.err, testing::HasSubstr("another trial"));
 }

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <vector>
 
 /// Counter-based randomness: a value depends on its counters alone, not on what was drawn before,
 /// so that frame n of seed s is the same everywhere and images may be made in any order.
@@ -57,49 +58,75 @@ class GaussTable {
   std::array<float, 1U << kBits> value_{};
 };
 
-/// Smooth noise in [-1, 1] that repeats after `period` cells each way.
-[[nodiscard]] inline float value_noise(float x, float y, int period, std::uint32_t seed) {
-  const float fx = std::floor(x);
-  const float fy = std::floor(y);
-  const auto wrap = [period](int i) {
-    return static_cast<std::uint32_t>(((i % period) + period) % period);
-  };
-  const std::uint32_t x0 = wrap(static_cast<int>(fx));
-  const std::uint32_t x1 = wrap(static_cast<int>(fx) + 1);
-  const std::uint32_t y0 = wrap(static_cast<int>(fy)) * 0x10001U + seed;
-  const std::uint32_t y1 = wrap(static_cast<int>(fy) + 1) * 0x10001U + seed;
-  const float u = x - fx;
-  const float v = y - fy;
-  const float su = u * u * (3.0F - 2.0F * u);
-  const float sv = v * v * (3.0F - 2.0F * v);
-  const auto at = [](std::uint32_t a, std::uint32_t b) {
-    return uniform(mix(a * 0x9E3779B1U ^ mix(b))) * 2.0F - 1.0F;
-  };
-  const float top = at(x0, y0) + (at(x1, y0) - at(x0, y0)) * su;
-  const float low = at(x0, y1) + (at(x1, y1) - at(x0, y1)) * su;
-  return top + (low - top) * sv;
-}
-
 struct Octaves {
   int cells = 8;  ///< across the tile, at the coarsest
   int count = 4;
   float fade = 0.5F;  ///< amplitude from octave to octave
 };
 
-/// Sum of octaves of `value_noise` over the unit tile; about [-1, 1].
-[[nodiscard]] inline float fractal_noise(float x, float y, Octaves octaves, std::uint32_t seed) {
-  float sum = 0.0F;
-  float amplitude = 1.0F;
-  float total = 0.0F;
-  int cells = octaves.cells;
-  for (int i = 0; i < octaves.count; ++i) {
-    const auto c = static_cast<float>(cells);
-    sum += amplitude * value_noise(x * c, y * c, cells, seed + static_cast<std::uint32_t>(i) * 77U);
-    total += amplitude;
-    amplitude *= octaves.fade;
-    cells *= 2;
+/// Smooth noise over the unit tile, which repeats: a sum of octaves, about [-1, 1]. The values at
+/// the corners of the cells are drawn once, since an image asks for each of them many times.
+class FractalNoise {
+ public:
+  FractalNoise(Octaves octaves, std::uint32_t seed) {
+    float amplitude = 1.0F;
+    int cells = octaves.cells;
+    for (int i = 0; i < octaves.count; ++i) {
+      octaves_.emplace_back(cells, seed + static_cast<std::uint32_t>(i) * 77U, amplitude);
+      total_ += amplitude;
+      amplitude *= octaves.fade;
+      cells *= 2;
+    }
   }
-  return sum / total;
-}
+
+  [[nodiscard]] float operator()(float x, float y) const {
+    float sum = 0.0F;
+    for (const Octave& octave : octaves_) sum += octave.amplitude * octave.at(x, y);
+    return sum / total_;
+  }
+
+ private:
+  struct Octave {
+    Octave(int cells_across, std::uint32_t seed, float weight)
+        : cells(cells_across), amplitude(weight) {
+      const auto side = static_cast<std::uint32_t>(cells);
+      corners.reserve(static_cast<std::size_t>(side) * side);
+      for (std::uint32_t y = 0; y < side; ++y) {
+        const std::uint32_t row = mix(y * 0x10001U + seed);
+        for (std::uint32_t x = 0; x < side; ++x) {
+          corners.push_back(uniform(mix(x * 0x9E3779B1U ^ row)) * 2.0F - 1.0F);
+        }
+      }
+    }
+
+    [[nodiscard]] int wrapped(int i) const {
+      return i >= 0 && i < cells ? i : ((i % cells) + cells) % cells;
+    }
+    [[nodiscard]] float at(float tile_x, float tile_y) const {
+      const float x = tile_x * static_cast<float>(cells);
+      const float y = tile_y * static_cast<float>(cells);
+      const float fx = std::floor(x);
+      const float fy = std::floor(y);
+      const int x0 = wrapped(static_cast<int>(fx));
+      const int x1 = wrapped(static_cast<int>(fx) + 1);
+      const float* upper = corners.data() + wrapped(static_cast<int>(fy)) * cells;
+      const float* lower = corners.data() + wrapped(static_cast<int>(fy) + 1) * cells;
+      const float u = x - fx;
+      const float v = y - fy;
+      const float su = u * u * (3.0F - 2.0F * u);
+      const float sv = v * v * (3.0F - 2.0F * v);
+      const float top = upper[x0] + (upper[x1] - upper[x0]) * su;
+      const float low = lower[x0] + (lower[x1] - lower[x0]) * su;
+      return top + (low - top) * sv;
+    }
+
+    int cells;
+    float amplitude;
+    std::vector<float> corners;  ///< cells x cells, [-1, 1]
+  };
+
+  std::vector<Octave> octaves_;
+  float total_ = 0.0F;
+};
 
 }  // namespace striate::simulator::render

@@ -7,29 +7,36 @@
 namespace striate::simulator::render {
 namespace {
 
-V4 painted_outdoors(float azimuth, float rise) {
-  const float trees = 0.05F + 0.07F * fractal_noise(azimuth, 0.3F, {24, 4, 0.6F}, 7);
-  if (rise > trees) {
-    const float up = std::min(1.0F, rise * 1.6F);
-    const float cloud = std::max(0.0F, fractal_noise(azimuth, rise * 0.7F, {9, 4, 0.55F}, 8));
-    const V4 blue = lerp(bgr(1.0F, 0.95F, 0.88F), bgr(0.9F, 0.66F, 0.45F), up);
-    return lerp(blue, splat(1.05F), std::min(1.0F, 1.6F * cloud));
+struct Landscape {
+  FractalNoise trees{{24, 4, 0.6F}, 7};
+  FractalNoise clouds{{9, 4, 0.55F}, 8};
+  FractalNoise leaves{{160, 3, 0.7F}, 9};
+  FractalNoise grass{{90, 3, 0.7F}, 10};
+
+  [[nodiscard]] V4 operator()(float azimuth, float rise) const {
+    if (rise > 0.05F + 0.07F * trees(azimuth, 0.3F)) {
+      const float up = std::min(1.0F, rise * 1.6F);
+      const float cloud = std::max(0.0F, clouds(azimuth, rise * 0.7F));
+      const V4 blue = lerp(bgr(1.0F, 0.95F, 0.88F), bgr(0.9F, 0.66F, 0.45F), up);
+      return lerp(blue, splat(1.05F), std::min(1.0F, 1.6F * cloud));
+    }
+    if (rise > -0.015F) {
+      const float leaf = 1.0F + 0.5F * leaves(azimuth, rise * 3.0F);
+      return bgr(0.08F, 0.17F, 0.12F) * splat(leaf);
+    }
+    const float blade = 1.0F + 0.25F * grass(azimuth, 0.01F / rise);
+    return bgr(0.12F, 0.32F, 0.24F) * splat(blade);
   }
-  if (rise > -0.015F) {
-    const float leaves = 1.0F + 0.5F * fractal_noise(azimuth, rise * 3.0F, {160, 3, 0.7F}, 9);
-    return bgr(0.08F, 0.17F, 0.12F) * splat(leaves);
-  }
-  const float grass = 1.0F + 0.25F * fractal_noise(azimuth, 0.01F / rise, {90, 3, 0.7F}, 10);
-  return bgr(0.12F, 0.32F, 0.24F) * splat(grass);
-}
+};
 
 }  // namespace
 
 Outdoors::Outdoors() {
+  const Landscape landscape;
   for (int y = 0; y < kHeight; ++y) {
     for (int x = 0; x < kWidth; ++x) {
-      map_.push_back(painted_outdoors(static_cast<float>(x) / kWidth,
-                                      (static_cast<float>(y) + 0.5F) / kHalfHeight - 1.0F));
+      map_.push_back(landscape(static_cast<float>(x) / kWidth,
+                               (static_cast<float>(y) + 0.5F) / kHalfHeight - 1.0F));
     }
   }
 }

@@ -32,10 +32,10 @@ cv::Mat3b poster_fish() {
 
 cv::Mat3b poster_map() {
   cv::Mat3b p = sheet(512, 768, Scalar(200, 190, 150));
+  const FractalNoise height({4, 5, 0.55F}, 5);
   for (int y = 0; y < p.rows; ++y) {
     for (int x = 0; x < p.cols; ++x) {
-      const float h = fractal_noise(static_cast<float>(x) / 768.0F, static_cast<float>(y) / 768.0F,
-                                    {4, 5, 0.55F}, 5);
+      const float h = height(static_cast<float>(x) / 768.0F, static_cast<float>(y) / 768.0F);
       if (h > 0.02F) p(y, x) = cv::Vec3b(90, 170, 130);
       if (h > 0.2F) p(y, x) = cv::Vec3b(90, 190, 210);
       if (h > 0.35F) p(y, x) = cv::Vec3b(110, 140, 170);
@@ -102,17 +102,23 @@ cv::Mat3b poster_timetable() {
 
 cv::Mat3b poster_landscape() {
   cv::Mat3b p = sheet(768, 512, Scalar(0, 0, 0));
+  std::vector<FractalNoise> ridge_noise;
+  for (int k = 0; k < 4; ++k) {
+    ridge_noise.push_back({{3 + 2 * k, 5, 0.5F}, 60U + static_cast<unsigned>(k)});
+  }
+  const FractalNoise grain_noise({40, 3, 0.7F}, 70U);
   for (int x = 0; x < p.cols; ++x) {
     const float u = static_cast<float>(x) / 768.0F;
+    std::array<float, 4> ridges{};
+    for (std::size_t k = 0; k < ridges.size(); ++k) {
+      ridges[k] = 0.3F + 0.15F * static_cast<float>(k) + 0.13F * ridge_noise[k](u, 0.5F);
+    }
     for (int y = 0; y < p.rows; ++y) {
       const float v = static_cast<float>(y) / 512.0F;
       cv::Vec3f c(235 - 90 * v, 190 + 10 * v, 130 + 100 * v);
+      const float grain = 26.0F * grain_noise(u, v);
       for (int k = 0; k < 4; ++k) {
-        const float ridge =
-            0.3F + 0.15F * static_cast<float>(k) +
-            0.13F * fractal_noise(u, 0.5F, {3 + 2 * k, 5, 0.5F}, 60U + static_cast<unsigned>(k));
-        const float grain = 26.0F * fractal_noise(u, v, {40, 3, 0.7F}, 70U);
-        if (v > ridge)
+        if (v > ridges[static_cast<std::size_t>(k)])
           c = cv::Vec3f(120.0F - 28.0F * static_cast<float>(k) + grain,
                         130.0F - 14.0F * static_cast<float>(k) + grain,
                         100.0F - 20.0F * static_cast<float>(k) + grain);

@@ -82,12 +82,13 @@ cv::Mat3b cup_stripes() {
 
 cv::Mat3b cardboard() {
   cv::Mat3b p = sheet(512, 512, Scalar(84, 124, 158));
+  const FractalNoise stains({6, 4, 0.6F}, 81);
+  const FractalNoise fibres({128, 2, 0.6F}, 82);
   for (int y = 0; y < 512; ++y) {
     for (int x = 0; x < 512; ++x) {
       const float fx = static_cast<float>(x) / 512.0F;
       const float fy = static_cast<float>(y) / 512.0F;
-      const float n = 8.0F * fractal_noise(fx, fy, {6, 4, 0.6F}, 81) +
-                      4.0F * fractal_noise(fx * 0.2F, fy, {128, 2, 0.6F}, 82);
+      const float n = 8.0F * stains(fx, fy) + 4.0F * fibres(fx * 0.2F, fy);
       for (int k = 0; k < 3; ++k)
         p(y, x)[k] = cv::saturate_cast<std::uint8_t>(static_cast<float>(p(y, x)[k]) + n);
     }

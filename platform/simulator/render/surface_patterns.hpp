@@ -63,25 +63,29 @@ cv::Mat3b painted(int width, int height, Function colour) {
 /// A plain colour with a little grain, so that nothing is perfectly flat.
 template <int kBlue, int kGreen, int kRed, int kGrain>
 cv::Mat3b plain() {
-  return painted(128, 128, [](float x, float y) {
-    return brighter({kBlue, kGreen, kRed}, kGrain * fractal_noise(x, y, {24, 3, 0.7F}, 121));
+  const FractalNoise grain({24, 3, 0.7F}, 121);
+  return painted(128, 128, [&](float x, float y) {
+    return brighter({kBlue, kGreen, kRed}, kGrain * grain(x, y));
   });
 }
 
 template <int kBlue, int kGreen, int kRed>
 cv::Mat3b woven() {
-  return painted(128, 128, [](float x, float y) {
+  const FractalNoise crease_noise({4, 3, 0.6F}, 131);
+  const FractalNoise grain_noise({48, 2, 0.7F}, 132);
+  return painted(128, 128, [&](float x, float y) {
     const float weave = std::sin(x * 201.0F) * std::sin(y * 201.0F);
-    const float crease = fractal_noise(x, y, {4, 3, 0.6F}, 131);
+    const float crease = crease_noise(x, y);
     return brighter({kBlue, kGreen, kRed},
-                    7.0F * weave + 11.0F * crease + 9.0F * fractal_noise(x, y, {48, 2, 0.7F}, 132));
+                    7.0F * weave + 11.0F * crease + 9.0F * grain_noise(x, y));
   });
 }
 
 template <int kBlue, int kGreen, int kRed>
 cv::Mat3b striped() {
-  return painted(128, 256, [](float x, float y) {
-    const float grain = 7.0F * fractal_noise(x, y, {48, 2, 0.7F}, 141);
+  const FractalNoise grain_noise({48, 2, 0.7F}, 141);
+  return painted(128, 256, [&](float x, float y) {
+    const float grain = 7.0F * grain_noise(x, y);
     const bool first = fraction(y * 2.0F) < 0.5F;
     return brighter(first ? Colour{kBlue, kGreen, kRed} : Colour{205, 210, 214}, grain);
   });
