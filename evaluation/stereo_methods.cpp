@@ -91,14 +91,24 @@ cv::Mat disturb(const cv::Mat& image) {
   return grey;
 }
 
+EyeChange lowered_by(double rows_px) {
+  return [rows_px](const cv::Mat& image) {
+    const cv::Matx23d down(1.0, 0.0, 0.0, 0.0, 1.0, rows_px);
+    cv::Mat lowered;
+    cv::warpAffine(image, lowered, down, image.size(), cv::INTER_CUBIC, cv::BORDER_REPLICATE);
+    const double white = image.depth() == CV_16U ? 16.0 * 255.0 : 255.0;
+    return cv::Mat(cv::min(lowered, white));  // it overshoots beside edges
+  };
+}
+
 StereoResult measure(const StereoMethod& method, const std::vector<StereoPair>& pairs,
-                     bool disturbed) {
+                     const EyeChange& change) {
   StereoResult result;
   const double share = 1.0 / static_cast<double>(std::max<std::size_t>(1, pairs.size()));
   for (const StereoPair& pair : pairs) {
     const cv::Mat left = method.fine ? cv::Mat(pair.fine_left) : cv::Mat(pair.left);
     const cv::Mat right = method.fine ? cv::Mat(pair.fine_right) : cv::Mat(pair.right);
-    const perception::DisparityMap map = method.match(left, disturbed ? disturb(right) : right);
+    const perception::DisparityMap map = method.match(left, change ? change(right) : right);
     const StereoScore score = judge(map.disparity_px, pair.truth_px);
     result.calibration.add(map.disparity_px, map.confidence, pair.truth_px);
     result.mean.bad1 += score.bad1 * share;

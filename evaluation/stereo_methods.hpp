@@ -26,9 +26,15 @@ struct StereoMethod {
 /// The smallest multiple of 16 that covers all true disparities, at least 48 at width 160.
 [[nodiscard]] int disparities_to_search(const std::vector<StereoPair>& pairs);
 
-/// Another exposure and noise, as for one of the two eyes: gain 1.3, sigma 6 grey levels.
+/// What is done to the right image before it is matched.
 /// @param image 8 bits, or 16 in sixteenths of a level; the result is of the same kind.
+using EyeChange = std::function<cv::Mat(const cv::Mat& image)>;
+
+/// Another exposure and noise, as for one of the two eyes: gain 1.3, sigma 6 grey levels.
 [[nodiscard]] cv::Mat disturb(const cv::Mat& image);
+
+/// As by an eye whose rows lie higher: it shows things so many rows lower.
+[[nodiscard]] EyeChange lowered_by(double rows_px);
 
 struct StereoResult {
   std::vector<StereoScore> of_pairs;
@@ -36,8 +42,7 @@ struct StereoResult {
   Calibration calibration;
 };
 
-/// @param disturbed the right images are.
 [[nodiscard]] StereoResult measure(const StereoMethod& method, const std::vector<StereoPair>& pairs,
-                                   bool disturbed);
+                                   const EyeChange& change = nullptr);
 
 }  // namespace striate::evaluation

@@ -27,6 +27,8 @@ struct DisparityMap {
   double centre_u_px = 0.0;
   double centre_v_px = 0.0;
   double baseline_m = 0.0;
+  /// So many rows lower the right image showed things than the left one; made good for the match
+  double right_lower_px = 0.0;
 };
 
 /// What one image column says about the floor plan along its bearing. Between `free_to_m` and

@@ -146,6 +146,10 @@ void add_numbers(Class& percept) {
           "noise_level", [](const SharedSeen& seen) { return seen->percept.noise_level; },
           "Estimated noise of a pixel, grey levels of 255.")
       .def_property_readonly(
+          "right_lower_px",
+          [](const SharedSeen& seen) { return seen->percept.disparity.right_lower_px; },
+          "Rows of the working image by which the right eye showed things lower; made good.")
+      .def_property_readonly(
           "focal_px", [](const SharedSeen& seen) { return seen->percept.disparity.focal_px; },
           "Focal length at the working size, px; 0: unknown.")
       .def_property_readonly(

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "striate/perception/low_things/floor_refuted.hpp"
+#include "striate/perception/stereo/row_offset.hpp"
 #include "striate/perception/stereo/stereo_matcher.hpp"
 
 namespace striate::perception {
@@ -31,7 +32,8 @@ StereoSettings band_stereo(StereoSettings stereo) {
   stereo.width *= kFinerSize;
   stereo.candidates = kBandCandidates;
   stereo.robust.fine_greys = true;
-  stereo.robust.fill_gap_px = 0;  // what was not seen says nothing about a few centimetres
+  stereo.robust.align_rows = false;  // known from the working size
+  stereo.robust.fill_gap_px = 0;     // what was not seen says nothing about a few centimetres
   return stereo;
 }
 
@@ -97,7 +99,10 @@ DisparityMap LowThingFinder::measure(const StereoFrame& frame, const cv::Mat1b& 
   const ViewGeometry geometry(fine, frame.head, robot_);
   const int first_row = first_row_of(geometry, left_fine.rows);
   if (left_fine.rows - first_row < kFewestRows) return fine;
-  const cv::Mat1w right_fine = to_fine_working_size(frame.right, width_px_);
+  cv::Mat1w right_fine = to_fine_working_size(frame.right, width_px_);
+  if (coarse.right_lower_px != 0.0) {
+    right_fine = raised(right_fine, kFinerSize * coarse.right_lower_px);
+  }
   const FloorBand band = cut_floor_band(left_fine, right_fine, geometry, first_row, kFloorAt_px);
   matcher_.match(band.left, band.right, fine);
   describe_band(coarse, band.first_row, fine);

@@ -33,6 +33,10 @@ constexpr int kLeastMargin = 8;
 /// Responses of the strongest cell below 2^4 (its energy below 2^8), about a quarter of a grey
 /// level, are no texture but the rounding of the image.
 constexpr int kLeastTexture = 8 * 2048;
+/// What both sensors or their lenses add at the same pixel (fixed pattern noise, blocks of JPEG,
+/// dust) matches perfectly, at disparity 0: there responses below 2^8.5 (energy 2^17), about six
+/// grey levels, are no texture. What is really so far away and so weak becomes unknown with it.
+constexpr int kLeastTextureAtZero = 17 * 2048;
 /// Where a good match is as good elsewhere, the pixel itself does not tell the two apart: stripes,
 /// a wall's even shading. What its neighbours say of it is not certain, however smooth. (Bad
 /// matches are so in noise, where neighbours can be trusted: the regression knows them.)
@@ -63,7 +67,8 @@ const float kMostPromiseIfAmbiguous = promise_of(kMostIfAmbiguous);
 /// after the left-right check. The margin of the sums adds nothing to these; what matters is the
 /// smoothed sum beyond 8 times the raw cost, which smoothness paid because neighbours disagree.
 float stereo_confidence(const StereoEvidence& e, StereoConfidence measure) {
-  if (e.margin < kLeastMargin || e.texture < kLeastTexture) return 0.0F;
+  const int least_texture = e.disparity_px == 0 ? kLeastTextureAtZero : kLeastTexture;
+  if (e.margin < kLeastMargin || e.texture < least_texture) return 0.0F;
   const int score = 152 + 31 * e.cost / 4 + e.texture / 299 - 15 * e.sum / 14;
   const auto at =
       static_cast<std::size_t>(std::clamp(score, -kScoreLimit, kScoreLimit) + kScoreLimit);

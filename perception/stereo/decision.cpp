@@ -55,9 +55,9 @@ void Decision::decide_row(const Input& input, int y, const SmoothedCosts& smooth
     const int best = bests[x];
     if (std::abs(right_bests[x - best] - best) > settings_.left_right_px) continue;
     const int cost = costs[best * stride + x];
-    const float sure = stereo_confidence(
-        {second[x] - smallest[x], smallest[x], raw_second[x] - cost, cost, strongest[x] + 32768},
-        settings_.confidence);
+    const float sure = stereo_confidence({second[x] - smallest[x], smallest[x],
+                                          raw_second[x] - cost, cost, strongest[x] + 32768, best},
+                                         settings_.confidence);
     if (sure <= 0.0F || sure < least_confidence_) continue;
     disparities[x] = sub_pixel(best, x, std::min(input.candidates, x + 1));
     confidences[x] = sure;

@@ -21,6 +21,7 @@ struct StereoEvidence {
   int raw_margin = 0;  ///< raw cost of the best other disparity minus the winner's; may be negative
   int cost = 0;        ///< raw Hamming distance of the winner, bits
   int texture = 0;     ///< code of the strongest complex cell, from its least value: 2048 an octave
+  int disparity_px = 1;  ///< the winner's, whole
 };
 
 /// From smoothed costs to disparities: which to trust, and how much. Keeps its buffers.

@@ -197,6 +197,9 @@ std::string fault_hint(PairFault fault) {
       return "exchange the two; only where the principal points differ by much they are right, and "
              "the camera's numbers are not";
     case PairFault::rows:
+      return "stereo moves the right image by up to three rows of its working image; better "
+             "rectify "
+             "the images, by a calibration of this camera as it is now";
     case PairFault::unrectified:
       return "rectify the images, by a calibration of this camera as it is now";
     case PairFault::behind:

@@ -1,6 +1,7 @@
 #include "striate/perception/stereo/stereo_matcher.hpp"
 
 #include <array>
+#include <cmath>
 #include <opencv2/imgproc.hpp>
 #include <stdexcept>
 #include <string>
@@ -12,11 +13,18 @@
 #include "striate/perception/stereo/match_kernels.hpp"
 #include "striate/perception/stereo/median_kernel.hpp"
 #include "striate/perception/stereo/phase_costs.hpp"
+#include "striate/perception/stereo/row_offset.hpp"
 #include "striate/perception/stereo/semi_global.hpp"
 #include "striate/perception/v1/v1_cells.hpp"
 
 namespace striate::perception {
 namespace {
+
+/// Rows of the working size: less costs hardly anything (bad-2 of a quarter: tests/evaluation)
+constexpr double kLeastOffset_px = 0.25;
+/// Share of the image that must become known by it: what noise alone makes is less (ours)
+constexpr double kLeastGained = 0.01;
+constexpr int kMostAlignments = 3;  // by hand: 1.5 rows are found in two
 
 void check_stereo(const StereoSettings& s) {
   auto require = [](bool good, const std::string& what) {
@@ -50,8 +58,10 @@ class StereoMatcher::Work {
     if (!out.confidence.isContinuous()) out.confidence.release();
     out.disparity_px.create(left.size());
     out.confidence.create(left.size());
+    out.right_lower_px = 0.0;
     if (robust_) {
       match_robust(left, right, out);
+      if (settings_.robust.align_rows) align_rows(left, right, out);
     } else {
       match_as_paper(left, right, out);
     }
@@ -116,6 +126,32 @@ class StereoMatcher::Work {
     decision_.finish(out);
   }
 
+  /// Matches once more what the eyes show at different heights, if more becomes known by that. The
+  /// offset is found anew in what was moved: from a bad match it is too small.
+  void align_rows(const cv::Mat& left, const cv::Mat& right, DisparityMap& out) {
+    const double guess_px = row_offset_of_means_px(left, right);
+    if (std::abs(guess_px) >= kLeastOffset_px) match_raised(left, right, guess_px, out);
+    for (int k = 0; k < kMostAlignments; ++k) {
+      const cv::Mat seen = out.right_lower_px == 0.0 ? right : raised(right, out.right_lower_px);
+      const double found_px = row_offset_px(left, seen, out);
+      if (std::abs(found_px) < kLeastOffset_px) return;
+      if (!match_raised(left, right, out.right_lower_px + found_px, out)) return;
+    }
+  }
+
+  /// @returns false, with `out` as it was, if no more became known.
+  bool match_raised(const cv::Mat& left, const cv::Mat& right, double rows_px, DisparityMap& out) {
+    aligned_.disparity_px.create(left.size());
+    aligned_.confidence.create(left.size());
+    match_robust(left, raised(right, rows_px), aligned_);
+    const double gained = cv::sum(aligned_.confidence)[0] - cv::sum(out.confidence)[0];
+    if (gained < kLeastGained * static_cast<double>(left.total())) return false;
+    aligned_.disparity_px.copyTo(out.disparity_px);
+    aligned_.confidence.copyTo(out.confidence);
+    out.right_lower_px = rows_px;
+    return true;
+  }
+
   StereoSettings settings_;
   bool robust_;
   std::array<DescriptorPoint, kDescriptorPoints> points_;
@@ -125,6 +161,7 @@ class StereoMatcher::Work {
   V1Responses left_, right_;
   PhaseCodes left_phase_, right_phase_;
   PhaseCosts phase_costs_;
+  DisparityMap aligned_;
   int candidates_ = 0;
   int rounded_ = 0;
   Plane<std::uint8_t> left_row_, right_row_, outside_, smallest_, nibbles_, winners_, median_;

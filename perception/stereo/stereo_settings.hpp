@@ -34,6 +34,8 @@ struct RobustStereoSettings {
   /// Gaps up to this long are filled, at width 160; between 8 and 12 as tried (tests/evaluation)
   int fill_gap_px = 10;
   bool fine_greys = true;  ///< see StereoSettings::wants_fine_greys
+  /// Rows that the eyes show at different heights are measured and moved (row_offset.hpp).
+  bool align_rows = true;
 };
 
 /// Settings of StereoMatcher.
@@ -74,6 +76,8 @@ void visit(V& v, RobustStereoSettings& s) {
   v.integer("fill_gap", s.fill_gap_px, {0, 100},
             "longest gap that neighbours fill, pixels at width 160; 0: none is filled");
   v.flag("fine_greys", s.fine_greys, "keep sixteenths of a grey level of the working images");
+  v.flag("align_rows", s.align_rows,
+         "move the right image's rows where the eyes show them at different heights");
 }
 
 template <class V>

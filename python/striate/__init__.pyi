@@ -73,6 +73,7 @@ class Percept:
     corridor: Final[Corridor | None]
     light_level: Final[float]
     noise_level: Final[float]
+    right_lower_px: Final[float]
     focal_px: Final[float]
     centre_u_px: Final[float]
     centre_v_px: Final[float]

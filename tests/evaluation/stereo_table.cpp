@@ -23,12 +23,13 @@ evaluation::StereoMethod exact_paper() {
 }
 
 void print_table(const std::string& title, const std::vector<evaluation::StereoPair>& pairs,
-                 const std::vector<evaluation::StereoMethod>& methods, bool disturbed) {
+                 const std::vector<evaluation::StereoMethod>& methods,
+                 const evaluation::EyeChange& change = nullptr) {
   fmt::print("\n{}\n{:18}", title, "bad-2 %");
   for (const evaluation::StereoPair& pair : pairs) fmt::print(" {:>6.6}", pair.name);
   fmt::print(" |  bad-2  bad-1 density\n");
   for (const evaluation::StereoMethod& method : methods) {
-    const evaluation::StereoResult result = evaluation::measure(method, pairs, disturbed);
+    const evaluation::StereoResult result = evaluation::measure(method, pairs, change);
     fmt::print("{:18}", method.name);
     for (const evaluation::StereoScore& score : result.of_pairs) fmt::print(" {:6.1f}", score.bad2);
     fmt::print(" | {:6.2f} {:6.2f} {:7.1f}\n", result.mean.bad2, result.mean.bad1,
@@ -51,7 +52,12 @@ int main(int argc, char** argv) {
   std::vector<evaluation::StereoMethod> methods =
       evaluation::stereo_methods(160, evaluation::disparities_to_search(pairs));
   methods.insert(methods.begin(), exact_paper());
-  print_table("160x120", pairs, methods, false);
-  print_table("160x120, right image with gain 1.3 and noise of sigma 6", pairs, methods, true);
+  print_table("160x120", pairs, methods);
+  print_table("160x120, right image with gain 1.3 and noise of sigma 6", pairs, methods,
+              evaluation::disturb);
+  for (const double rows : {0.3, 0.75, 1.1}) {
+    print_table(fmt::format("160x120, right image {} rows lower", rows), pairs, methods,
+                evaluation::lowered_by(rows));
+  }
   return 0;
 }

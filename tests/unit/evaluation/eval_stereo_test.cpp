@@ -120,7 +120,7 @@ TEST_F(EvalStereo, AllMethodsFindAShiftedTextureAndTheTablesAreWritten) {
       read_stereo_pair(find_stereo_folders(root_).pairs.at(0), {160, 120})};
   EXPECT_EQ(disparities_to_search(pairs), 48);
   for (const StereoMethod& method : stereo_methods(160, 48)) {
-    const StereoResult result = measure(method, pairs, false);
+    const StereoResult result = measure(method, pairs);
     EXPECT_LT(result.mean.bad2, 5.0) << method.name;
     EXPECT_GT(result.mean.density, 70.0) << method.name;
   }

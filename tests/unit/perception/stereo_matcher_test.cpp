@@ -117,6 +117,60 @@ TEST(StereoMatcher, ABlankWallWithNoiseIsNeverSeenNearWithConfidence) {
   }
 }
 
+cv::Mat1b lower(const cv::Mat1b& image, double rows) {
+  cv::Mat1b moved;
+  const cv::Matx23d down(1.0, 0.0, 0.0, 0.0, 1.0, rows);
+  cv::warpAffine(image, moved, down, image.size(), cv::INTER_CUBIC, cv::BORDER_REFLECT);
+  return moved;
+}
+
+TEST(StereoMatcher, RowsThatTheEyesShowAtDifferentHeightsAreMovedAndTold) {
+  constexpr int kShift = 9;
+  const cv::Mat1b left = reference::texture(kSize, 1);
+  const cv::Mat1b right = reference::texture(kSize, 1, kShift);
+  StereoSettings as_they_are;
+  as_they_are.robust.align_rows = false;
+  for (const double rows : {-2.4, -1.5, 1.1, 2.4}) {
+    const cv::Mat1b lowered = lower(right, rows);
+    const DisparityMap map = StereoMatcher({}).match(left, lowered);
+    const Summary found = summarise(map, kShift, kShift + 12);
+    EXPECT_NEAR(map.right_lower_px, rows, 0.15);
+    EXPECT_GT(found.known, 0.9) << rows;
+    EXPECT_GT(found.right, 0.97) << rows;
+    const DisparityMap unmoved = StereoMatcher(as_they_are).match(left, lowered);
+    EXPECT_EQ(unmoved.right_lower_px, 0.0);
+    EXPECT_LT(summarise(unmoved, kShift, kShift + 12).known, found.known) << rows;
+  }
+}
+
+TEST(StereoMatcher, RowsThatAgreeAreLeftAsTheyAre) {
+  const cv::Mat1b left = reference::texture(kSize, 1), right = reference::texture(kSize, 1, 9);
+  EXPECT_EQ(StereoMatcher({}).match(left, right).right_lower_px, 0.0);
+  const cv::Mat1b blank(kSize, std::uint8_t{120});
+  for (int seed = 1; seed < 30; ++seed) {
+    const DisparityMap dark = StereoMatcher({}).match(
+        reference::with_noise(blank, 3.0, seed), reference::with_noise(blank, 3.0, seed + 100));
+    EXPECT_EQ(dark.right_lower_px, 0.0) << seed;
+  }
+}
+
+// Fixed pattern noise, dust, blocks of JPEG: the same in both images at the same pixel.
+TEST(StereoMatcher, ABlankWallWithAWeakPatternCommonToBothSensorsIsUnknown) {
+  StereoMatcher stereo({});
+  for (const double pattern : {0.5, 1.0, 2.0}) {
+    const cv::Mat1b wall = reference::with_noise(cv::Mat1b(kSize, std::uint8_t{120}), pattern, 3);
+    const DisparityMap map =
+        stereo.match(reference::with_noise(wall, 0.3, 1), reference::with_noise(wall, 0.3, 2));
+    EXPECT_LT(cv::countNonZero(map.confidence), 0.03 * kSize.area()) << pattern;
+  }
+}
+
+TEST(StereoMatcher, WhatIsInfinitelyFarAndWellSeenIsKnown) {
+  const cv::Mat1b far = reference::texture(kSize, 5);
+  const DisparityMap map = StereoMatcher({}).match(far, far);
+  EXPECT_GT(cv::countNonZero(map.confidence), 0.9 * kSize.area());
+}
+
 TEST(StereoMatcher, WhatOnlyTheLeftEyeSeesIsMostlyUnknown) {
   // A square 24 px in front of a background at 4 px hides a strip of the background.
   constexpr int kNear = 24, kFar = 4;
