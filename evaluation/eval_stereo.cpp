@@ -112,7 +112,7 @@ int evaluate_stereo(const EvalOptions& options) {
   fmt::print(
       "\n{}\npaper (K): the paper mode with the others' disparities\ndisturbed: the right "
       "image with gain 1.3 and noise of sigma 6\nrows off: the right image {} rows lower\n\n{}",
-      kRowsOff, tables.means.text(), tables.calibration.text());
+      tables.means.text(), kRowsOff, tables.calibration.text());
   write_file(options.out + "/stereo.csv", tables.means.csv());
   write_file(options.out + "/stereo_pairs.csv", tables.pairs.csv());
   write_file(options.out + "/stereo_calibration.csv", tables.calibration.csv());

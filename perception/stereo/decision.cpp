@@ -3,12 +3,21 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <opencv2/imgproc.hpp>
 
 namespace striate::perception {
 namespace {
 
 /// Rows that the winner kernels write, in their order
 constexpr int kBest = 0, kSmallest = 1, kSecond = 2, kRawSecond = 3, kRightBest = 4;
+/// Bits of 256 by which a match must beat others to be told from them: the noise of two eyes (ours)
+constexpr int kClearMargin = 24;
+/// Matches that differ in more bits are bad ones, in noise, not repeated ones (ours)
+constexpr int kFairCost = 80;
+constexpr int kPatternTexture = 14 * 2048;  // as StereoEvidence::texture: two grey levels
+constexpr std::uint8_t kPattern = 2;        // of what is repeated: with so much contrast
+const cv::Size kPatternWindow{17, 17};      // px of the working image
+constexpr float kMostPattern = 0.75F;       // of the known pixels in it (ours)
 
 }  // namespace
 
@@ -49,9 +58,11 @@ void Decision::decide_row(const Input& input, int y, const SmoothedCosts& smooth
   const std::uint16_t* raw_second = winners_.row(kRawSecond);
   float* disparities = out.disparity_px.ptr<float>(y);
   float* confidences = out.confidence.ptr<float>(y);
+  std::uint8_t* repeated = repeated_[y];
   for (int x = 0; x < width; ++x) {
     disparities[x] = kNoMatch;
     confidences[x] = 0.0F;
+    repeated[x] = 0;
     const int best = bests[x];
     if (std::abs(right_bests[x - best] - best) > settings_.left_right_px) continue;
     const int cost = costs[best * stride + x];
@@ -61,11 +72,14 @@ void Decision::decide_row(const Input& input, int y, const SmoothedCosts& smooth
     if (sure <= 0.0F || sure < least_confidence_) continue;
     disparities[x] = sub_pixel(best, x, std::min(input.candidates, x + 1));
     confidences[x] = sure;
+    if (raw_second[x] - cost >= kClearMargin || cost >= kFairCost) continue;
+    repeated[x] = strongest[x] + 32768 < kPatternTexture ? 1 : kPattern;
   }
 }
 
 void Decision::begin(const Input& input) {
   const int width = input.costs.width();
+  repeated_.create(input.left.code[0].height(), width);
   const int old_stride = sums_.stride(), old_height = sums_.height();
   sums_.resize(width, input.candidates, input.candidates + 64, 0);
   winners_.resize(width, 5, 0, 0);
@@ -78,8 +92,25 @@ void Decision::begin(const Input& input) {
   }
 }
 
+/// Slats, a chessboard: well seen, and the same again beside it. What surrounds a pixel of them can
+/// drag all of it to a wrong repeat, which may lie on one surface with what is behind.
+void Decision::drop_patterns(DisparityMap& out) {
+  const cv::Mat1b pattern = repeated_ == kPattern;  // 255 or 0
+  const cv::Mat1b known = out.disparity_px != kNoMatch;
+  cv::boxFilter(pattern, pattern_share_, CV_32F, kPatternWindow);
+  cv::boxFilter(known, known_share_, CV_32F, kPatternWindow);
+  for (int y = 0; y < out.disparity_px.rows; ++y) {
+    for (int x = 0; x < out.disparity_px.cols; ++x) {
+      if (pattern_share_(y, x) <= kMostPattern * known_share_(y, x)) continue;
+      out.disparity_px(y, x) = kNoMatch;
+      out.confidence(y, x) = 0.0F;
+    }
+  }
+}
+
 void Decision::finish(DisparityMap& out) {
-  speckles_.drop(settings_.speckle_px, out);
+  drop_patterns(out);
+  speckles_.drop(settings_.speckle_px, repeated_, out);
   gaps_.fill({(settings_.fill_gap_px * out.disparity_px.cols + 80) / 160, least_confidence_}, out);
 }
 

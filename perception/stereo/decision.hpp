@@ -43,12 +43,15 @@ class Decision {
 
  private:
   void find_winners(const Input& input, int y, const SmoothedCosts& smoothed);
+  void drop_patterns(DisparityMap& out);
   [[nodiscard]] float sub_pixel(int best, int x, int limit) const;
 
   RobustStereoSettings settings_;
   float least_confidence_;
   Speckles speckles_;
   GapFilling gaps_;
+  cv::Mat1b repeated_;  ///< 1 where another disparity matches about as well, 2 with contrast
+  cv::Mat1f pattern_share_, known_share_;
   Plane<std::uint16_t> sums_;      ///< of one row, [disparity][column]
   Plane<std::int16_t> strongest_;  ///< row 0: code of the strongest complex cell
   Plane<std::uint16_t> winners_;   ///< rows: best, smallest, second, raw_second, right_best

@@ -27,7 +27,7 @@ struct RobustStereoSettings {
   int large_step_penalty = 80;
   int left_right_px = 1;  ///< tolerance of the left-right check: rounding of either side
   StereoConfidence confidence = StereoConfidence::promise;
-  /// In that measure; less certain ones are unknown: bad-2 4.0 at 96 % (tests/evaluation)
+  /// In that measure; less certain ones are unknown: bad-2 3.5 at 94 % (tests/evaluation)
   double least_confidence = 0.5;
   /// Connected pieces smaller than this are dropped: without, bad-2 was 4.5 (tests/evaluation)
   int speckle_px = 40;

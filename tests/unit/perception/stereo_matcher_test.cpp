@@ -117,6 +117,45 @@ TEST(StereoMatcher, ABlankWallWithNoiseIsNeverSeenNearWithConfidence) {
   }
 }
 
+/// A board before a textured wall, 15 px nearer than it, that shows the same again and again.
+std::pair<cv::Mat1b, cv::Mat1b> repeated_pair(bool squares, int period, std::uint64_t seed) {
+  constexpr int kBoard_px = 15;
+  cv::Mat1b left = reference::texture(kSize, 1), right = reference::texture(kSize, 1, 2);
+  cv::Mat1b board(kSize);
+  for (int y = 0; y < kSize.height; ++y) {
+    for (int x = 0; x < kSize.width; ++x) {
+      const bool dark = (x / (period / 2) + (squares ? y / (period / 2) : 0)) % 2 == 0;
+      board(y, x) = dark ? 60 : 190;
+    }
+  }
+  const cv::Rect place(30, 15, 110, 90);
+  board(place).copyTo(left(place));
+  board(place).copyTo(right(place - cv::Point(kBoard_px, 0)));
+  return {reference::with_noise(left, 1.0, seed), reference::with_noise(right, 1.0, seed + 1)};
+}
+
+TEST(StereoMatcher, WhatRepeatsItselfIsMostlyUnknownOrRight) {
+  double wrong = 0.0;
+  int boards = 0;
+  for (const bool squares : {false, true}) {
+    for (const int period : {4, 8, 12, 16}) {
+      const auto [left, right] = repeated_pair(squares, period, 7);
+      const DisparityMap map = StereoMatcher({}).match(left, right);
+      int missed = 0;
+      const cv::Rect inner(46, 18, 90, 84);
+      for (int y = inner.y; y < inner.br().y; ++y) {
+        for (int x = inner.x; x < inner.br().x; ++x) {
+          const float d = map.disparity_px(y, x);
+          missed += d != kNoMatch && std::abs(d - 15.0F) > 1.5F;
+        }
+      }
+      wrong += static_cast<double>(missed) / inner.area();
+      ++boards;
+    }
+  }
+  EXPECT_LT(wrong / boards, 0.06) << "a quarter before patterns were looked for";
+}
+
 cv::Mat1b lower(const cv::Mat1b& image, double rows) {
   cv::Mat1b moved;
   const cv::Matx23d down(1.0, 0.0, 0.0, 0.0, 1.0, rows);
