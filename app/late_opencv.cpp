@@ -7,16 +7,19 @@
 
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/videoio.hpp>
+#include <opencv2/ximgproc/disparity_filter.hpp>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace {
 
 void* library(const char* file) {
   void* const handle = dlopen(file, RTLD_NOW | RTLD_LOCAL);
   if (handle == nullptr) {
-    throw std::runtime_error(std::string(dlerror()) + "; install " + file +
-                             " (Debian: libopencv-imgcodecs406, libopencv-videoio406)");
+    throw std::runtime_error(
+        std::string(dlerror()) + "; install " + file +
+        " (Debian: libopencv-imgcodecs406, libopencv-videoio406, libopencv-contrib406)");
   }
   return handle;  // never closed: what it made may still be in use
 }
@@ -28,6 +31,11 @@ void* codecs() {
 
 void* videos() {
   static void* const handle = library(STRIATE_VIDEOIO_LIBRARY);
+  return handle;
+}
+
+void* filters() {
+  static void* const handle = library(STRIATE_XIMGPROC_LIBRARY);
   return handle;
 }
 
@@ -179,5 +187,21 @@ double VideoCapture::get(int property) const {
       late<double(const VideoCapture*, int)>(videos(), "_ZNK2cv12VideoCapture3getEi");
   return real(this, property);
 }
+
+namespace ximgproc {
+
+Ptr<DisparityWLSFilter> createDisparityWLSFilter(Ptr<StereoMatcher> left) {
+  static auto* const real = late<Ptr<DisparityWLSFilter>(Ptr<StereoMatcher>)>(
+      filters(), "_ZN2cv8ximgproc24createDisparityWLSFilterENS_3PtrINS_13StereoMatcherEEE");
+  return real(std::move(left));
+}
+
+Ptr<StereoMatcher> createRightMatcher(Ptr<StereoMatcher> left) {
+  static auto* const real = late<Ptr<StereoMatcher>(Ptr<StereoMatcher>)>(
+      filters(), "_ZN2cv8ximgproc18createRightMatcherENS_3PtrINS_13StereoMatcherEEE");
+  return real(std::move(left));
+}
+
+}  // namespace ximgproc
 
 }  // namespace cv

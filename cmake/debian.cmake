@@ -26,7 +26,7 @@ set(CPACK_DEBIAN_STRIATE_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_STRIATE_PACKAGE_SHLIBDEPS ON)
 # The program loads these when it needs them (app/late_opencv.cpp), so dpkg-shlibdeps does not see them.
 math(EXPR opencv_abi "${OpenCV_VERSION_MAJOR} * 100 + ${OpenCV_VERSION_MINOR}")
-set(CPACK_DEBIAN_STRIATE_PACKAGE_DEPENDS "libopencv-imgcodecs${opencv_abi}, libopencv-videoio${opencv_abi}")
+set(CPACK_DEBIAN_STRIATE_PACKAGE_DEPENDS "libopencv-imgcodecs${opencv_abi}, libopencv-videoio${opencv_abi}, libopencv-contrib${opencv_abi}")
 set(CPACK_DEBIAN_STRIATE_DESCRIPTION "drives robots by a biological model of visual cortex
 Striate lets you test an idea about seeing, remembering or acting in a
 whole robot that drives by vision: change one part, run the same mission

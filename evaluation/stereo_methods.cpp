@@ -5,6 +5,7 @@
 #include <memory>
 #include <opencv2/calib3d.hpp>
 #include <opencv2/imgproc.hpp>
+#include <opencv2/ximgproc/disparity_filter.hpp>
 
 #include "striate/base/index_within.hpp"
 #include "striate/perception/stereo/stereo_matcher.hpp"
@@ -24,21 +25,48 @@ StereoMethod ours(const std::string& name, perception::StereoMode mode, int widt
       settings.wants_fine_greys()};
 }
 
+/// OpenCV does not search the first columns: continue the images to the left.
+cv::Mat continued(const cv::Mat& image, int searched) {
+  cv::Mat wide;
+  cv::copyMakeBorder(image, wide, 0, 0, searched, 0, cv::BORDER_REPLICATE);
+  return wide;
+}
+
+/// @param fixed sixteenths of a pixel, of images that were continued
+perception::DisparityMap map_of(const cv::Mat1s& fixed, int searched) {
+  perception::DisparityMap map;
+  fixed.colRange(searched, fixed.cols).convertTo(map.disparity_px, CV_32F, 1.0 / 16.0);
+  map.disparity_px.setTo(perception::kNoMatch, map.disparity_px < 0.0F);
+  map.confidence = cv::Mat1f(map.disparity_px.size(), 1.0F);
+  return map;
+}
+
 StereoMethod opencv(const std::string& name, const cv::Ptr<cv::StereoMatcher>& matcher) {
   return {name, [matcher](const cv::Mat& left, const cv::Mat& right) {
-            // OpenCV does not search the first columns: continue the images to the left.
             const int searched = matcher->getNumDisparities();
-            cv::Mat wide_left, wide_right;
-            cv::copyMakeBorder(left, wide_left, 0, 0, searched, 0, cv::BORDER_REPLICATE);
-            cv::copyMakeBorder(right, wide_right, 0, 0, searched, 0, cv::BORDER_REPLICATE);
             cv::Mat1s fixed;
-            matcher->compute(wide_left, wide_right, fixed);
+            matcher->compute(continued(left, searched), continued(right, searched), fixed);
             cv::medianBlur(fixed, fixed, 5);
-            perception::DisparityMap map;
-            fixed.colRange(searched, fixed.cols).convertTo(map.disparity_px, CV_32F, 1.0 / 16.0);
-            map.disparity_px.setTo(perception::kNoMatch, map.disparity_px < 0.0F);
-            map.confidence = cv::Mat1f(left.size(), 1.0F);
-            return map;
+            return map_of(fixed, searched);
+          }};
+}
+
+/// StereoSGBM in both directions, and what both say smoothed along the edges of the left image by
+/// weighted least squares (Min et al. 2014), with the weights that OpenCV documents.
+StereoMethod opencv_wls(const std::string& name, const cv::Ptr<cv::StereoMatcher>& matcher) {
+  return {name, [matcher](const cv::Mat& left, const cv::Mat& right) {
+            const int searched = matcher->getNumDisparities();
+            const cv::Mat wide_left = continued(left, searched);
+            const cv::Mat wide_right = continued(right, searched);
+            const auto filter = cv::ximgproc::createDisparityWLSFilter(matcher);
+            const auto backwards = cv::ximgproc::createRightMatcher(matcher);
+            filter->setLambda(8000.0);
+            filter->setSigmaColor(1.5);
+            cv::Mat1s of_left, of_right, filtered;
+            matcher->compute(wide_left, wide_right, of_left);
+            backwards->compute(wide_right, wide_left, of_right);
+            filter->filter(of_left, wide_left, filtered, of_right, {}, wide_right);
+            return map_of(filtered, searched);
           }};
 }
 
@@ -51,12 +79,15 @@ std::vector<StereoMethod> stereo_methods(int width, int searched) {
       ours("robust", perception::StereoMode::robust, width, std::min(searched, 256)),
       opencv("StereoBM 9", cv::StereoBM::create(searched, 9)),
   };
+  const auto semi_global = [searched](int mode) {
+    return cv::StereoSGBM::create(0, searched, 3, 8 * 9, 32 * 9, 1, 63, 10, 100, 2, mode);
+  };
   for (const auto& [name, mode] : {std::pair{"SGBM", cv::StereoSGBM::MODE_SGBM},
                                    {"SGBM 3WAY", cv::StereoSGBM::MODE_SGBM_3WAY},
                                    {"SGBM HH", cv::StereoSGBM::MODE_HH}}) {
-    methods.push_back(opencv(
-        name, cv::StereoSGBM::create(0, searched, 3, 8 * 9, 32 * 9, 1, 63, 10, 100, 2, mode)));
+    methods.push_back(opencv(name, semi_global(mode)));
   }
+  methods.push_back(opencv_wls("SGBM WLS", semi_global(cv::StereoSGBM::MODE_SGBM_3WAY)));
   return methods;
 }
 

@@ -17,7 +17,8 @@ struct EvaluationKind {
 /// What can be measured; each has its own file in evaluation/.
 constexpr EvaluationKind kEvaluations[] = {
     {"stereo",
-     "Disparities at 160x120 and 320x240, clean and disturbed, beside StereoBM and StereoSGBM.\n"
+     "Disparities at 160x120 and 320x240, clean, disturbed and with rows off, beside StereoBM and\n"
+     "StereoSGBM, the latter with a filter by weighted least squares, too.\n"
      "Folders in or below the given one that hold imL.png, imR.png, groundtruth.png (4 per px),\n"
      "nonocc.png (Middlebury 2003); view1.png, view5.png, disp1.png, disp5.png (3 per px; 2006);\n"
      "im0.png, im1.png, disp0.pfm (2014); or left.png, right.png, disparity.pfm.",

@@ -19,6 +19,7 @@ TEST(LateOpencv, TheProgramStartsWithoutTheLibrariesThatReadImages) {
   EXPECT_THAT(loaded.out, HasSubstr("libopencv_core"));
   EXPECT_THAT(loaded.out, Not(HasSubstr("libopencv_imgcodecs")));
   EXPECT_THAT(loaded.out, Not(HasSubstr("libopencv_videoio")));
+  EXPECT_THAT(loaded.out, Not(HasSubstr("libopencv_ximgproc")));
 }
 
 TEST(LateOpencv, AVideoIsOpenedAndRead) {
