@@ -8,12 +8,7 @@
 #include "striate/perception/stereo/cubic_weights.hpp"
 
 namespace striate::perception {
-namespace {
-
-/// Largest fine grey: 255 in sixteenths (to_fine_working_size)
-constexpr int kWhitest = 4080;
-
-}  // namespace
+namespace {}  // namespace
 
 void move_row(const std::uint16_t* from, int width, int sixteenths, std::uint16_t* to) {
   // Pixel x shows what was at x - sixteenths / 16: a whole pixel and some parts to its right.
@@ -26,7 +21,7 @@ void move_row(const std::uint16_t* from, int width, int sixteenths, std::uint16_
       sum +=
           weights[static_cast<std::size_t>(k)] * from[std::clamp(x - whole - 1 + k, 0, width - 1)];
     }
-    to[x] = static_cast<std::uint16_t>(std::clamp(sum / kCubicOne, 0, kWhitest));
+    to[x] = static_cast<std::uint16_t>(std::clamp(sum / kCubicOne, 0, kWhitestFine));
   }
 }
 

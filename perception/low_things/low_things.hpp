@@ -8,8 +8,8 @@
 
 namespace striate::perception {
 
-/// What shows by about one pixel of the working image is looked for in an image so many times as
-/// wide (ours).
+/// Low things rise by about one pixel of the working image, so they are looked for in an image that
+/// is wider by this factor (ours).
 inline constexpr int kFinerSize = 2;
 
 /// Low things on the near floor: a parcel, a plank, a step. At the working size they rise above the

@@ -9,6 +9,9 @@ inline constexpr int kCubicParts =
     16;  ///< of a pixel: 0.06 px, a third of what a disparity errs by
 inline constexpr int kCubicOne = 4096;  ///< scale of the weights: times the largest grey below 2^31
 
+/// Largest fine grey, 255 in sixteenths (to_fine_working_size): beside edges a cubic goes beyond it
+inline constexpr int kWhitestFine = 4080;
+
 /// Weights of four neighbours for a place `part` sixteenths beyond the second (Catmull and Rom
 /// 1974).
 [[nodiscard]] inline std::array<int, 4> cubic_weights(int part) {

@@ -16,10 +16,11 @@ namespace {
 constexpr float kSureMatch = 0.75F;  // confidence: of such, nine in ten are right
 /// Change from row to row, of the largest grey: two levels of 255, above what noise makes
 constexpr float kLeastFall = 2.0F / 255.0F;
-/// An edge counts as level if it changes so many times as fast downwards as across: a steeper one
-/// hides the offset in its disparity.
+/// An edge is level if the grey changes at least so many times faster from row to row than from
+/// column to column. On a steeper edge the disparity takes up the offset.
 constexpr float kLevelness = 2.0F;
-constexpr int kFewestPixels = 150;  // pixels of such edges, of which a third may be wrong (ours)
+constexpr int kFewestPixels =
+    150;  // pixels on such edges, of which nearly half may be wrong (ours)
 /// Offsets are told apart in steps of 1/64 row, to two rows each way
 constexpr int kSteps = 64;
 constexpr int kMostSteps = 2 * kSteps;
@@ -44,7 +45,7 @@ class LevelEdges {
   LevelEdges(const cv::Mat& left, const cv::Mat& right, float white)
       : left_(left), right_(right), scale_(1.0F / white) {}
 
-  /// Samples of level edges where the match is sure.
+  /// Pixels on level edges where the match is sure.
   [[nodiscard]] std::vector<EdgePixel> find(const DisparityMap& matched) const {
     std::vector<EdgePixel> pixels;
     for (int y = 1; y + 1 < left_.rows; ++y) {
@@ -149,7 +150,7 @@ void raise_all_rows(const cv::Mat& image, int sixteenths, cv::Mat& out) {
   const int whole =
       floor_within(static_cast<double>(sixteenths) / kCubicParts, -image.rows, image.rows);
   const std::array<int, 4> weights = cubic_weights(sixteenths - whole * kCubicParts);
-  const int white = image.depth() == CV_8U ? 255 : 65535;
+  const int white = image.depth() == CV_8U ? 255 : kWhitestFine;
   for (int y = 0; y < image.rows; ++y) {
     std::array<const Grey*, 4> rows{};
     for (int k = 0; k < 4; ++k) {

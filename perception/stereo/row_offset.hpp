@@ -18,7 +18,7 @@ namespace striate::perception {
 [[nodiscard]] double row_offset_of_means_px(const cv::Mat& left, const cv::Mat& right);
 
 /// The image `rows_px` higher (cubic, Catmull and Rom 1974); what comes in from below is the lowest
-/// row. Integer arithmetic, in sixteenths of a row. @param image CV_8U or CV_16U
+/// row. Integer arithmetic, in sixteenths of a row. @param image CV_8U, or CV_16U of fine greys
 [[nodiscard]] cv::Mat raised(const cv::Mat& image, double rows_px);
 
 }  // namespace striate::perception
