@@ -95,10 +95,10 @@ void Decision::begin(const Input& input) {
 /// Slats, a chessboard: well seen, and the same again beside it. What surrounds a pixel of them can
 /// drag all of it to a wrong repeat, which may lie on one surface with what is behind.
 void Decision::drop_patterns(DisparityMap& out) {
-  const cv::Mat1b pattern = repeated_ == kPattern;  // 255 or 0
-  const cv::Mat1b known = out.disparity_px != kNoMatch;
-  cv::boxFilter(pattern, pattern_share_, CV_32F, kPatternWindow);
-  cv::boxFilter(known, known_share_, CV_32F, kPatternWindow);
+  cv::compare(repeated_, kPattern, counted_, cv::CMP_EQ);  // 255 or 0
+  cv::boxFilter(counted_, pattern_share_, CV_32F, kPatternWindow);
+  cv::compare(out.disparity_px, kNoMatch, counted_, cv::CMP_NE);
+  cv::boxFilter(counted_, known_share_, CV_32F, kPatternWindow);
   for (int y = 0; y < out.disparity_px.rows; ++y) {
     for (int x = 0; x < out.disparity_px.cols; ++x) {
       if (pattern_share_(y, x) <= kMostPattern * known_share_(y, x)) continue;

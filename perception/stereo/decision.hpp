@@ -51,6 +51,7 @@ class Decision {
   Speckles speckles_;
   GapFilling gaps_;
   cv::Mat1b repeated_;  ///< 1 where another disparity matches about as well, 2 with contrast
+  cv::Mat1b counted_;
   cv::Mat1f pattern_share_, known_share_;
   Plane<std::uint16_t> sums_;      ///< of one row, [disparity][column]
   Plane<std::int16_t> strongest_;  ///< row 0: code of the strongest complex cell
