@@ -8,6 +8,7 @@
 #include "striate/perception/stereo/cubic_weights.hpp"
 
 namespace striate::perception {
+
 void move_row(const std::uint16_t* from, int width, int sixteenths, std::uint16_t* to) {
   // Pixel x shows what was at x - sixteenths / 16: a whole pixel and some parts to its right.
   const int whole = -floor_within(-static_cast<double>(sixteenths) / kCubicParts, -width, width);
