@@ -77,6 +77,10 @@ RunResult Mission::result() const {
   RunResult result;
   result.outcome = outcome();
   result.reason = reason_of(result.outcome);
+  if (result.outcome == RunOutcome::task_failed) {
+    result.failure = name_of(executive_.newest_failure().failure());
+    result.failure_line = executive_.newest_failure().line();
+  }
   result.judged = judge() != nullptr;
   result.reached_goal = result.outcome == RunOutcome::success;
   result.distance_m = driven_m_;

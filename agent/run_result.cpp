@@ -71,6 +71,9 @@ nlohmann::ordered_json to_json(const RunResult& result) {
   nlohmann::ordered_json json;
   json["outcome"] = name_of(result.outcome);
   json["reason"] = result.reason;
+  if (!result.failure.empty()) {
+    json["failure"] = {{"code", result.failure}, {"line", result.failure_line}};
+  }
   json["reached_goal"] = result.reached_goal;
   if (result.judged) json["collisions"] = to_json(result.collisions);
   if (!result.late_obstacles.empty()) json["late_obstacles"] = to_json(result.late_obstacles);
@@ -97,6 +100,10 @@ RunResult run_result_from_json(const nlohmann::json& json) {
   try {
     result.outcome = outcome_from_json(json.at("outcome"));
     json.at("reason").get_to(result.reason);
+    if (json.contains("failure")) {
+      json.at("failure").at("code").get_to(result.failure);
+      json.at("failure").at("line").get_to(result.failure_line);
+    }
     json.at("reached_goal").get_to(result.reached_goal);
     read_judged(json, result);
     json.at("distance_m").get_to(result.distance_m);

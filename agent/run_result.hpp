@@ -32,6 +32,10 @@ struct LateObstacleRecord {
 struct RunResult {
   RunOutcome outcome = RunOutcome::task_ended;
   std::string reason;  ///< in words; empty for a success
+  /// What failed of the task: a name of behaviours::all_failures() and the line of its script;
+  /// empty and 0 unless the outcome is task_failed.
+  std::string failure;
+  int failure_line = 0;
   /// A judge watched. Without one there are no collisions, nearest pass and seed, also not in JSON;
   /// the goal is reached where the task has succeeded, and the way is that of the odometry.
   bool judged = true;

@@ -13,8 +13,8 @@ namespace striate {
 
 inline constexpr std::size_t kSonarDiscs = 16;
 
-/// Where disc `disc` < kSonarDiscs of the two arrays sits and looks; the same for all models.
-[[nodiscard]] inline const Pose2& sonar_disc(std::size_t disc) {
+/// Where the discs of the two arrays of eight sit and look.
+[[nodiscard]] inline const std::array<Pose2, kSonarDiscs>& sonar_discs() {
   constexpr auto at = [](double x_mm, double y_mm, double deg) {
     return Pose2{x_mm / 1000.0, y_mm / 1000.0, radians(deg)};
   };
@@ -23,7 +23,7 @@ inline constexpr std::size_t kSonarDiscs = 16;
       at(166, -27, -10),   at(148, -78, -30),    at(114, -119, -50),  at(69, -136, -90),
       at(-157, -136, -90), at(-203, -119, -130), at(-237, -78, -150), at(-255, -27, -170),
       at(-255, 27, 170),   at(-237, 78, 150),    at(-203, 119, 130),  at(-157, 136, 90)};
-  return discs.at(disc);
+  return discs;
 }
 
 /// A disc speaks every 320 ms; what is older than two turns says nothing.

@@ -64,8 +64,8 @@ Wish ApproachLandmark::watch(const memory::ShortTermMemory& memory,
 Wish ApproachLandmark::tick(const memory::ShortTermMemory& memory) {
   const memory::LandmarkInMind* landmark = memory.landmarks().find(settings_.landmark);
   if (landmark == nullptr || !landmark->place_known) {
-    return final_wish(memory, Progress::failed,
-                      short_format("does not know where '{}' is", settings_.landmark));
+    return failed_wish(memory, Failure::not_known,
+                       short_format("does not know where '{}' is", settings_.landmark));
   }
   if (state_ == State::facing) return face(memory, *landmark);
   if (state_ == State::closing) return close_in(memory, *landmark);
@@ -94,8 +94,8 @@ Wish ApproachLandmark::close_in(const memory::ShortTermMemory& memory,
     return face(memory, landmark);
   }
   if (blocked) {
-    return final_wish(memory, Progress::failed,
-                      short_format("cannot come nearer to '{}'", settings_.landmark));
+    return failed_wish(memory, Failure::way_blocked,
+                       short_format("cannot come nearer to '{}'", settings_.landmark));
   }
   field_.update(memory.map());
   straight_.points[0] = {memory.pose().x_m, memory.pose().y_m};
@@ -122,9 +122,9 @@ Wish ApproachLandmark::face(const memory::ShortTermMemory& memory,
                       short_format("stands before '{}'", settings_.landmark));
   }
   if (to_seconds(memory.now() - entered_) > kLookFor_s) {
-    return final_wish(memory, Progress::failed,
-                      facing ? short_format("does not recognise '{}' here", settings_.landmark)
-                             : short_format("cannot turn to '{}' here", settings_.landmark));
+    return failed_wish(memory, facing ? Failure::not_found : Failure::cannot_turn,
+                       facing ? short_format("does not recognise '{}' here", settings_.landmark)
+                              : short_format("cannot turn to '{}' here", settings_.landmark));
   }
   Wish wish = watch(memory, landmark, short_format("faces '{}'", settings_.landmark));
   if (!facing) wish.turn_rad_s = std::clamp(kTurnGain_1_s * off_rad, -kTurn_rad_s, kTurn_rad_s);

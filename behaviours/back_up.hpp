@@ -26,7 +26,7 @@ class BackUp : public Behaviour {
     const Wish wish = line_.tick(memory);
     if (!known_floor_ || wish.progress != Progress::running) return wish;
     if (free_behind_m(memory, robot_) > kRoomBehind_m) return wish;
-    return final_wish(memory, Progress::failed, "the floor behind is not known");
+    return failed_wish(memory, Failure::not_known, "the floor behind is not known");
   }
   [[nodiscard]] Motors motors() const override { return Motors::wheels; }
 

@@ -128,8 +128,8 @@ Wish Explore::leave(const memory::ShortTermMemory& memory, Point2 place) {
   finder_.avoid(place);
   goal_ = {};
   if (distance_to_m(memory, place) > kAtGoal_m && ++failures_ >= settings_.failures) {
-    return final_wish(memory, Progress::failed,
-                      short_format("cannot get on: {} goals in a row not reached", failures_));
+    return failed_wish(memory, Failure::way_blocked,
+                       short_format("cannot get on: {} goals in a row not reached", failures_));
   }
   enter(State::looking, memory);
   return standing_wish(memory, "leaves this edge of the map");

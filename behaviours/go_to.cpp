@@ -7,8 +7,8 @@ namespace striate::behaviours {
 Wish GoTo::tick(const memory::ShortTermMemory& memory) {
   const memory::LandmarkInMind* landmark = memory.landmarks().find(settings_.landmark);
   if (landmark == nullptr || !landmark->place_known) {
-    return final_wish(memory, Progress::failed,
-                      short_format("does not know where '{}' is", settings_.landmark));
+    return failed_wish(memory, Failure::not_known,
+                       short_format("does not know where '{}' is", settings_.landmark));
   }
   const double left_m = distance_to_m(memory, landmark->place);
   if (left_m <= settings_.stop_at_m) {

@@ -38,7 +38,7 @@ bool LookAt::follow(const memory::ShortTermMemory& memory) {
 Wish LookAt::tick(const memory::ShortTermMemory& memory) {
   if (settings_.target == Target::salient && !follow(memory)) {
     return there_ ? final_wish(memory, Progress::succeeded, "looked at it until it was forgotten")
-                  : final_wish(memory, Progress::failed, "nothing salient to look at");
+                  : failed_wish(memory, Failure::not_found, "nothing salient to look at");
   }
   const bool there = std::abs(memory.head().pan_rad - pan_rad_) < kLooksThere_rad;
   if (there && !there_) arrived_ = memory.now();
@@ -47,7 +47,7 @@ Wish LookAt::tick(const memory::ShortTermMemory& memory) {
     return final_wish(memory, Progress::succeeded, "looked there");
   }
   if (!there_ && to_seconds(memory.now() - started_) > kLongestTurn_s) {
-    return final_wish(memory, Progress::failed, "the head does not get there");
+    return failed_wish(memory, Failure::head_stuck, "the head does not get there");
   }
   Wish wish = standing_wish(memory, "looks there");
   wish.pan_rad = pan_rad_;

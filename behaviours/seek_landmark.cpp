@@ -101,8 +101,8 @@ Wish SeekLandmark::drive(const memory::ShortTermMemory& memory) {
 
 Wish SeekLandmark::turn_back(const memory::ShortTermMemory& memory) {
   if (turned_ >= settings_.turns) {
-    return final_wish(memory, Progress::failed,
-                      short_format("does not find '{}' here", settings_.landmark));
+    return failed_wish(memory, Failure::not_found,
+                       short_format("does not find '{}' here", settings_.landmark));
   }
   ++turned_;
   back_ = !back_;

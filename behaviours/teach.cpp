@@ -80,7 +80,7 @@ Wish Teach::choose(const memory::ShortTermMemory& memory) {
     line_rad_ = std::atan2(memory.pose().y_m - thing_.y_m, memory.pose().x_m - thing_.x_m);
     turn_towards(thing_, memory, Phase::face);
   } else if (waited_s > kChooses_s) {
-    return final_wish(memory, Progress::failed, "nothing stands out ahead within 3 m");
+    return failed_wish(memory, Failure::not_found, "nothing stands out ahead within 3 m");
   }
   Wish wish = standing_wish(memory, "looks for what stands out");
   wish.tilt_rad = settings_.tilt_rad;
@@ -111,7 +111,7 @@ void Teach::next_place(const memory::ShortTermMemory& memory) {
 
 Wish Teach::end(const memory::ShortTermMemory& memory) const {
   return kept_ > 0 ? final_wish(memory, Progress::succeeded, "looked at it from all sides")
-                   : final_wish(memory, Progress::failed, "cannot look at it from here");
+                   : failed_wish(memory, Failure::not_found, "cannot look at it from here");
 }
 
 void Teach::turn_towards(const Point2& place, const memory::ShortTermMemory& memory, Phase phase) {

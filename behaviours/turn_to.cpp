@@ -46,7 +46,7 @@ Wish TurnTo::tick(const memory::ShortTermMemory& memory) {
     least_left_at_ = memory.now();
   }
   if (to_seconds(memory.now() - least_left_at_) > kBlockedAfter_s) {
-    return final_wish(memory, Progress::failed, "cannot turn here");
+    return failed_wish(memory, Failure::cannot_turn, "cannot turn here");
   }
   Wish wish = standing_wish(memory, "turns");
   const double eased =

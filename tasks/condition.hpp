@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <string>
@@ -20,9 +21,16 @@ class Condition {
   [[nodiscard]] virtual bool holds(const memory::ShortTermMemory& memory) const = 0;
 };
 
+/// What becomes of a condition while the robot stands, and time alone passes.
+enum class WhileStanding : std::uint8_t {
+  changes,  ///< it may come and go
+  comes,    ///< it begins to hold in time, and goes on holding
+  stays,    ///< it is as it was when the robot came to stand
+};
+
 /// One kind of condition that scripts can name in `until`, `only_if`, `unless` and `always`, e.g.
 /// `{travelled: 58 m}`, `{landmark_seen: book}`, `{landmark_within: {landmark: book, distance: 1
-/// m}}`.
+/// m}}`. `all`, `any` and `not` join them (joined_conditions.hpp).
 struct ConditionEntry {
   std::string name;
   std::string help;
@@ -34,8 +42,8 @@ struct ConditionEntry {
   /// `key`, without it the landmark's name alone.
   std::function<std::unique_ptr<Condition>(const std::string& landmark, double value_si)> make_of{};
   std::string key{};
-  /// Once it holds it goes on holding for as long as the robot stands: `pause_if` would never end.
-  bool lasts_while_standing = false;
+  /// The robot stands while a task pauses: `pause_if` of what comes or stays would never end.
+  WhileStanding standing = WhileStanding::changes;
 };
 
 }  // namespace striate::tasks

@@ -1,14 +1,12 @@
 #include "striate/tasks/condition_registry.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
 
 #include "striate/base/limits.hpp"
-#include "striate/tasks/fault.hpp"
+#include "striate/tasks/joined_conditions.hpp"
 #include "striate/tasks/landmark_conditions.hpp"
 
 namespace striate::tasks {
@@ -130,7 +128,7 @@ constexpr config::Range kLength_m{0.0, 100000.0};
 constexpr config::Range kDay_s{0.0, 86400.0};
 constexpr config::Range kShare{0.0, 1.0};
 
-/// What time and the robot's own motion change, and nothing else: it lasts while the robot stands.
+/// What time and the robot's own motion change, and nothing else.
 std::vector<ConditionEntry> motion_conditions() {
   std::vector<ConditionEntry> entries = {
       {"travelled", "driven so far since the step began, by odometry", Unit::length, kLength_m,
@@ -156,7 +154,10 @@ std::vector<ConditionEntry> motion_conditions() {
       {"near_start", "the robot is so near to where the run began", Unit::length, kLength_m,
        "0.6 m", at_most<FromStart>},
   };
-  for (ConditionEntry& entry : entries) entry.lasts_while_standing = true;
+  for (ConditionEntry& entry : entries) {
+    const bool in_time = entry.name == "after" || entry.name == "stands_for";
+    entry.standing = in_time ? WhileStanding::comes : WhileStanding::stays;
+  }
   return entries;
 }
 
@@ -189,9 +190,6 @@ ConditionRegistry& table() {
   return registry;
 }
 
-/// Read for one more version, as `image_older_than`.
-constexpr const char* kOldName = "picture_older_than";
-
 }  // namespace
 
 const ConditionRegistry& condition_registry() {
@@ -199,51 +197,12 @@ const ConditionRegistry& condition_registry() {
 }
 
 bool enroll(ConditionEntry entry) {
-  return find_condition(entry.name) == nullptr && table().add(std::move(entry));
+  return !joins_conditions(entry.name) && find_condition(entry.name) == nullptr &&
+         table().add(std::move(entry));
 }
 
 const ConditionEntry* find_condition(const std::string& name) {
-  return table().find(name == kOldName ? "image_older_than" : name);
-}
-
-std::string condition_text(const config::Node& node) {
-  if (node.kind != config::Node::Kind::map || node.entries.size() != 1) return {};
-  const config::Node& value = node.entries.front().value;
-  std::string text = value.text;
-  for (const config::Node::Entry& part : value.entries) {
-    text += fmt::format("{}{}", text.empty() ? "" : ", ", part.value.text);
-  }
-  return fmt::format("{}: {}", node.entries.front().key, text);
-}
-
-std::unique_ptr<Condition> read_condition(const config::Node& node,
-                                          config::Diagnostics& diagnostics) {
-  if (node.kind != config::Node::Kind::map || node.entries.size() != 1) {
-    diagnostics.add(
-        fault::bad_condition, node.place,
-        fmt::format("a condition must be one 'name: value', but is {}", node.describe()),
-        "write {travelled: 58 m}");
-    return nullptr;
-  }
-  const config::Node::Entry& entry = node.entries.front();
-  if (entry.key == kOldName) {
-    diagnostics.warn(entry.key_place, "'picture_older_than' is called 'image_older_than' now",
-                     "write 'image_older_than'");
-  }
-  const ConditionEntry* found = find_condition(entry.key);
-  if (found == nullptr) {
-    std::vector<std::string> names;
-    names.reserve(table().size());
-    for (const ConditionEntry& known : table()) names.push_back(known.name);
-    std::string hint = config::suggest(entry.key, names);
-    if (hint.empty()) hint = "'striate task actions' lists what there is";
-    diagnostics.add(fault::unknown_condition, entry.key_place,
-                    fmt::format("unknown condition '{}'", entry.key), hint);
-    return nullptr;
-  }
-  if (found->make_of != nullptr) return read_landmark_condition(*found, entry, diagnostics);
-  const auto value = config::read_quantity(entry.value, found->unit, found->range, diagnostics);
-  return value ? found->make(*value) : nullptr;
+  return table().find(name == kOldImageOlderThan ? "image_older_than" : name);
 }
 
 }  // namespace striate::tasks

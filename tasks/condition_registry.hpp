@@ -1,11 +1,8 @@
 #pragma once
 
-#include <memory>
 #include <string>
 
 #include "striate/base/named_table.hpp"
-#include "striate/config/diagnostics.hpp"
-#include "striate/config/node.hpp"
 #include "striate/tasks/condition.hpp"
 
 namespace striate::tasks {
@@ -21,14 +18,10 @@ using ConditionRegistry = NamedTable<ConditionEntry>;
 /// threads. @return false where the name is taken
 bool enroll(ConditionEntry entry);
 
+/// Read for one more version, as `image_older_than`.
+inline constexpr const char* kOldImageOlderThan = "picture_older_than";
+
 /// The condition of that name, which may be an old name of it; or nullptr.
 [[nodiscard]] const ConditionEntry* find_condition(const std::string& name);
-
-/// Reads `{name: value}`; nullptr with mistakes added where that fails.
-std::unique_ptr<Condition> read_condition(const config::Node& node,
-                                          config::Diagnostics& diagnostics);
-
-/// "name: value" as written, for people; empty where the node is no condition.
-[[nodiscard]] std::string condition_text(const config::Node& node);
 
 }  // namespace striate::tasks

@@ -39,6 +39,8 @@ class Executive {
   /// How the steps ended; final once `ended()`.
   [[nodiscard]] MissionState state() const { return state_; }
   [[nodiscard]] std::string reason() const;
+  /// The newest failure of a step, also of one that was made good.
+  [[nodiscard]] const Reason& newest_failure() const { return reason_; }
   /// The action that ran in the last cycle; "" when none did.
   [[nodiscard]] std::string_view current_action() const { return doing_; }
   [[nodiscard]] const Task& task() const { return task_; }

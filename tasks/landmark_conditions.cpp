@@ -73,7 +73,7 @@ const std::vector<ConditionEntry>& landmark_conditions() {
     list[1].help = "where the landmark is, is known: seen in this run or recalled";
     list[1].example = "book";
     list[1].make_of = make_about<LandmarkKnown>;
-    list[1].lasts_while_standing = true;
+    list[1].standing = WhileStanding::stays;
     list[2].name = "landmark_within";
     list[2].help = "the robot is so near to the landmark's place, once that is known";
     list[2].unit = Unit::length;
@@ -81,7 +81,7 @@ const std::vector<ConditionEntry>& landmark_conditions() {
     list[2].example = "{landmark: book, distance: 1 m}";
     list[2].make_of = make_about<LandmarkWithin>;
     list[2].key = "distance";
-    list[2].lasts_while_standing = true;
+    list[2].standing = WhileStanding::stays;
     return list;
   }();
   return entries;

@@ -130,7 +130,9 @@ std::string actions_as_text(const std::string& only) {
     if (only.empty()) text += "\n" + text_of(behaviour);
     if (only == behaviour.name) return text_of(behaviour);
   }
-  text += "\nConditions, for until, only_if, unless, pause_if and fail_if:\n\n";
+  text +=
+      "\nConditions, for until, only_if, unless, pause_if and fail_if; joined by\n"
+      "{all: [{...}, {...}]}, {any: [{...}, {...}]} and {not: {...}}:\n\n";
   for (const tasks::ConditionEntry& condition : tasks::condition_registry()) {
     text += text_of(condition);
     if (only == condition.name) return text_of(condition);

@@ -1,6 +1,7 @@
 #include "striate/app/commands/serve.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <boost/asio/ip/address.hpp>
 #include <cstdio>
@@ -58,9 +59,10 @@ void add_serve_options(CLI::App& command, ServeOptions& options) {
           [](const std::string& kind) {
             return pioneer::find_model(kind) != nullptr
                        ? std::string()
-                       : fmt::format("{}: not one of {}", kind, pioneer::known_models());
+                       : fmt::format("{}: not one of {}", kind,
+                                     fmt::join(pioneer::model_names(), ", "));
           },
-          "{p3dx,p3dx-sh}"))
+          fmt::format("{{{}}}", fmt::join(pioneer::model_names(), ","))))
       ->group(group)
       ->capture_default_str();
   command

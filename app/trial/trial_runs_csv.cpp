@@ -13,7 +13,7 @@ std::string runs_csv(const std::vector<agent::RunResult>& results) {
       "world,seed,outcome,reached_goal,collisions,first_hit,hit_moving,hit_light_level,hit_time_s,"
       "hit_along_m,hit_left_m,distance_m,duration_s,nearest_pass_m,emergency_stops,"
       "longest_stand_s,mean_cycle_ms,realtime_factor,emergency_layer,baseline,reason,"
-      "longest_stand_why\n";
+      "longest_stand_why,failure,failure_line\n";
   for (const agent::RunResult& r : results) {
     csv += fmt::format("{},{},{},{},{},", csv_cell(world_name(r.world)), r.seed, name_of(r.outcome),
                        r.reached_goal, r.collisions.size());
@@ -24,10 +24,12 @@ std::string runs_csv(const std::vector<agent::RunResult>& results) {
       csv += fmt::format("{},{},{:.3f},{:.2f},{:.3f},{:.3f},", csv_cell(hit.hit), hit.moving,
                          hit.light_level, hit.time_s, hit.along_m, hit.left_m);
     }
-    csv += fmt::format("{:.3f},{:.2f},{:.4f},{},{:.1f},{:.3f},{:.2f},{},{},{},{}\n", r.distance_m,
-                       r.duration_s, r.nearest_pass_m, r.emergency_stops, r.longest_stand_s,
-                       r.mean_cycle_ms, r.realtime_factor, r.emergency_layer, csv_cell(r.baseline),
-                       csv_cell(r.reason), csv_cell(r.longest_stand_why));
+    csv +=
+        fmt::format("{:.3f},{:.2f},{:.4f},{},{:.1f},{:.3f},{:.2f},{},{},{},{},{},{}\n",
+                    r.distance_m, r.duration_s, r.nearest_pass_m, r.emergency_stops,
+                    r.longest_stand_s, r.mean_cycle_ms, r.realtime_factor, r.emergency_layer,
+                    csv_cell(r.baseline), csv_cell(r.reason), csv_cell(r.longest_stand_why),
+                    csv_cell(r.failure), r.failure.empty() ? "" : std::to_string(r.failure_line));
   }
   return csv;
 }

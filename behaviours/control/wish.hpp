@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "striate/base/fixed_text.hpp"
+#include "striate/behaviours/control/failure.hpp"
 #include "striate/memory/short_term/short_term_memory.hpp"
 
 namespace striate::behaviours {
@@ -19,6 +20,7 @@ struct Wish {
   double pan_rad = 0.0;
   double tilt_rad = 0.0;
   Progress progress = Progress::running;
+  Failure failure = Failure::other;  ///< where it has failed
   ShortText why;    ///< in words for a person: what it does, or why it stands or failed
   TimePoint stamp;  ///< when it was wished
 };
@@ -36,6 +38,14 @@ struct Wish {
                                      ShortText why) {
   Wish wish = standing_wish(memory, why);
   wish.progress = progress;
+  return wish;
+}
+
+/// The end of an action that did not come to what it was after.
+[[nodiscard]] inline Wish failed_wish(const memory::ShortTermMemory& memory, Failure failure,
+                                      ShortText why) {
+  Wish wish = final_wish(memory, Progress::failed, why);
+  wish.failure = failure;
   return wish;
 }
 

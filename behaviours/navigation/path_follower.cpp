@@ -116,8 +116,8 @@ Wish PathFollower::tick(const memory::ShortTermMemory& memory, const Course& cou
   request.corridor_sure = course.corridor_sure && troubles_ == 0;
   planner_.plan(field_, memory.pose(), request);
   if (troubles_ >= settings_.tries) {
-    return final_wish(memory, Progress::failed,
-                      short_format("no way through after {} tries in one place", troubles_));
+    return failed_wish(memory, Failure::way_blocked,
+                       short_format("no way through after {} tries in one place", troubles_));
   }
   if ((state_ == State::driving || state_ == State::waiting) && feels_something(memory)) {
     leave_what_was_felt(memory);

@@ -41,7 +41,7 @@ Wish StraightLine::tick(const memory::ShortTermMemory& memory) {
     farthest_at_ = memory.now();
   }
   if (to_seconds(memory.now() - farthest_at_) > kLineBlockedAfter_s) {
-    return final_wish(memory, Progress::failed, "something is in the way");
+    return failed_wish(memory, Failure::way_blocked, "something is in the way");
   }
   Wish wish = standing_wish(memory, sign > 0.0 ? "drives straight" : "backs up");
   const double eased =

@@ -26,6 +26,9 @@ struct RobotDescription {
   double resting_tilt_rad = -0.227;
   double max_pan_rad = 1.5;
   double max_tilt_rad = 0.6;
+  /// Where its sonar discs sit and look, from the axle, in arrays of eight. Empty: as on a Pioneer
+  /// 3-DX, moved to the rim of the outline.
+  std::vector<Pose2> sonar_discs{};
   Duration cycle = std::chrono::milliseconds(100);
 };
 

@@ -65,12 +65,14 @@ void BaseTracker::take(const arcos::Sip& sip, TimePoint stamp) {
   state_.stamp = stamp;
   state_.told = true;
   state_.odometry.stamp = stamp;
-  state_.odometry.forward_m_s = (sip.left_mm_s + sip.right_mm_s) / 2000.0;
+  const double left_mm_s = sip.left_mm_s * model_.velocity_mm_s;
+  const double right_mm_s = sip.right_mm_s * model_.velocity_mm_s;
+  state_.odometry.forward_m_s = (left_mm_s + right_mm_s) / 2000.0;
   state_.odometry.turn_rad_s = sip.rotation_ddeg_s
                                    ? radians(*sip.rotation_ddeg_s / 10.0)
-                                   : (sip.right_mm_s - sip.left_mm_s) / (2.0 * model_.half_axle_mm);
+                                   : (right_mm_s - left_mm_s) / (2.0 * model_.half_axle_mm);
   for (const arcos::SonarReading& reading : sip.sonar) {
-    if (reading.disc >= kSonarDiscs) continue;
+    if (reading.disc >= model_.discs.size()) continue;
     const double mm = reading.range * model_.range_mm;
     const double range_m = mm >= kNoEchoMm ? std::numeric_limits<double>::infinity() : mm / 1000.0;
     state_.sonar[reading.disc] = {stamp, range_m, true};

@@ -22,8 +22,9 @@ struct BaseState {
   TimePoint stamp;  ///< first byte of the newest SIP
   bool told = false;
   Odometry odometry;
-  std::array<DiscReading, kSonarDiscs> sonar;
-  RangeScan laser;  ///< from the axle; empty: none has come
+  std::array<DiscReading, kMostSonarDiscs> sonar;
+  std::span<const Pose2> discs = sonar_discs();  ///< where those of the kind sit, from the axle
+  RangeScan laser;                               ///< from the axle; empty: none has come
   double battery_v = 0.0;
   bool stalled_left = false;
   bool stalled_right = false;
@@ -38,7 +39,11 @@ struct BaseState {
 /// one unbroken way since the first packet, also when the robot has been rebooted in between.
 class BaseTracker {
  public:
-  void use(const RobotModel& model) { model_ = model; }
+  void use(const RobotModel& model) {
+    model_ = model;
+    state_.discs = model.discs;
+    state_.sonar = {};
+  }
   /// Bumpers count only where the robot says that it has some: elsewhere the bits float.
   void use_bumpers(bool front, bool rear);
   /// The next packet only seeds the odometry: after a new connection.

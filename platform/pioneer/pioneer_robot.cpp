@@ -21,10 +21,10 @@ void fill_senses(const BaseState& base, TimePoint now, Senses& senses) {
   senses.odometry = base.odometry;
   senses.sonar.readings.clear();
   senses.sonar.stamp = {};
-  for (std::size_t disc = 0; disc < kSonarDiscs; ++disc) {
+  for (std::size_t disc = 0; disc < base.discs.size(); ++disc) {
     const DiscReading& reading = base.sonar[disc];
     if (!reading.told || now - reading.stamp > kSonarFresh) continue;
-    senses.sonar.readings.push_back(seen_from_axle(sonar_disc(disc), reading.range_m));
+    senses.sonar.readings.push_back(seen_from_axle(base.discs[disc], reading.range_m));
     senses.sonar.stamp = std::max(senses.sonar.stamp, reading.stamp);
   }
   senses.laser = base.laser;

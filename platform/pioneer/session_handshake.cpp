@@ -1,3 +1,6 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include "striate/platform/pioneer/session.hpp"
 
 /// The handshake of a ArcosSession: listen, SYNC0, SYNC1, SYNC2, the robot's names.
@@ -69,9 +72,10 @@ void ArcosSession::meet(const arcos::RobotNames& names, TimePoint now) {
   names_ = names;
   const RobotModel* model = find_model(names.subclass);
   if (model == nullptr && !settings_.force_unknown_model) {
-    trouble_ = "the robot is a '" + names.subclass +
-               "', of which the factors are not known (known: " + known_models() +
-               "); 'force_unknown_model: yes' drives it as a p3dx-sh";
+    trouble_ = fmt::format(
+        "the robot is a '{}', of which the factors are not known (known: {}); "
+        "'force_unknown_model: yes' drives it as a p3dx-sh",
+        names.subclass, fmt::join(model_names(), ", "));
     send(command(Command::close, 1));
     state_ = LinkState::refused;
     return;

@@ -20,6 +20,15 @@ RobotDescription with_motors(RobotDescription robot) {
   return robot;
 }
 
+/// With the sonar of the kind that it is served as, whose places its clients know.
+RobotDescription with_sonar_of(const std::string& kind, RobotDescription robot) {
+  const pioneer::RobotModel* model = pioneer::find_model(kind);
+  if (model != nullptr && model->discs.data() != sonar_discs().data()) {
+    robot.sonar_discs.assign(model->discs.begin(), model->discs.end());
+  }
+  return robot;
+}
+
 simulator::SimulatorSettings for_serving(simulator::SimulatorSettings settings) {
   settings.base.command_latency_s = 0.0;  // the line has its own
   settings.sensors.servo_speed_rad_s = kHeadFollows_rad_s;
@@ -38,8 +47,9 @@ double range_from(const Pose2& sensor, const RangeReading& seen) {
 ServedPioneer::ServedPioneer(const simulator::World& world, std::uint64_t seed,
                              const simulator::SimulatorSettings& settings,
                              const ServedDevices& devices, const RobotDescription& robot)
-    : sonar_mounts_(simulator::sonar_mounts(robot)),
-      body_(world, seed, for_serving(settings), nullptr, with_motors(robot)),
+    : sonar_mounts_(simulator::sonar_mounts(with_sonar_of(devices.base.subclass, robot))),
+      body_(world, seed, for_serving(settings), nullptr,
+            with_sonar_of(devices.base.subclass, with_motors(robot))),
       firmware_(devices.base),
       servos_({pioneer::ServoModel(1, 0.0), pioneer::ServoModel(2, 0.0)}),
       laser_(devices.laser),
@@ -49,7 +59,8 @@ ServedPioneer::ServedPioneer(const simulator::World& world, std::uint64_t seed,
 void ServedPioneer::hand_over_sonar() {
   if (senses_.sonar.stamp == sonar_stamp_) return;
   sonar_stamp_ = senses_.sonar.stamp;
-  for (const std::size_t disc : simulator::discs_fired_at(sonar_stamp_)) {
+  const std::size_t arrays = sonar_mounts_.size() / simulator::kDiscsOfAnArray;
+  for (const std::size_t disc : simulator::discs_fired_at(sonar_stamp_, arrays)) {
     firmware_.sonar(disc, range_from(sonar_mounts_[disc], senses_.sonar.readings[disc]));
   }
 }

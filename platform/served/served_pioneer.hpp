@@ -49,7 +49,7 @@ class ServedPioneer {
   void hand_over_sonar();
   void hand_over_laser();
 
-  std::array<Pose2, kSonarDiscs> sonar_mounts_;
+  std::vector<Pose2> sonar_mounts_;
   simulator::SimulatedPioneer body_;
   pioneer::ArcosFirmware firmware_;
   pioneer::ServoBus servos_;

@@ -1,5 +1,7 @@
 #include "striate/platform/simulator/range_finders.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -19,7 +21,7 @@ const double kCosSmooth = std::cos(radians(25.0));
 /// Edges, cloth and cardboard scatter sound within 70 deg (ours)
 const double kCosRough = std::cos(radians(70.0));
 /// Each array's discs fire far from the one before, against echoes of the neighbour.
-constexpr std::array<std::size_t, 8> kOrder{0, 5, 1, 4, 2, 7, 3, 6};
+constexpr std::array<std::size_t, kDiscsOfAnArray> kOrder{0, 5, 1, 4, 2, 7, 3, 6};
 /// Standard deviation of an echo: 4 mm and 0.5 % of the way, as the speed of sound changes with
 /// some degrees of temperature (ours).
 constexpr double kEchoNoise_m = 0.004;
@@ -39,16 +41,20 @@ Pose2 mounted(const Pose2& place, const RobotDescription& robot) {
 
 }  // namespace
 
-std::array<Pose2, kSonarDiscs> sonar_mounts(const RobotDescription& robot) {
-  std::array<Pose2, kSonarDiscs> mounts;
-  for (std::size_t i = 0; i < kSonarDiscs; ++i) mounts[i] = mounted(sonar_disc(i), robot);
+std::vector<Pose2> sonar_mounts(const RobotDescription& robot) {
+  if (!robot.sonar_discs.empty()) return robot.sonar_discs;
+  std::vector<Pose2> mounts;
+  for (const Pose2& disc : sonar_discs()) mounts.push_back(mounted(disc, robot));
   return mounts;
 }
 
-std::array<std::size_t, 2> discs_fired_at(TimePoint stamp) {
+std::vector<std::size_t> discs_fired_at(TimePoint stamp, std::size_t arrays) {
   const auto fired = static_cast<std::size_t>(to_seconds(stamp) / kFirePeriod_s + 1e-6);
-  const std::size_t disc = kOrder[fired % kOrder.size()];
-  return {disc, 8 + disc};
+  std::vector<std::size_t> discs;
+  for (std::size_t array = 0; array < arrays; ++array) {
+    discs.push_back(kDiscsOfAnArray * array + kOrder[fired % kOrder.size()]);
+  }
+  return discs;
 }
 
 Pose2 laser_mount(const RobotDescription& robot) {
@@ -63,8 +69,9 @@ Sonar::Sonar(std::uint64_t seed, const SensorSettings& settings, const RobotDesc
 void Sonar::step(double now_s, const Physics& physics) {
   while (static_cast<double>(fired_) * kFirePeriod_s <= now_s + 1e-9) {
     const std::size_t disc = kOrder[fired_ % kOrder.size()];
-    fire(disc, physics);
-    fire(8 + disc, physics);
+    for (std::size_t first = 0; first + disc < mounts_.size(); first += kDiscsOfAnArray) {
+      fire(first + disc, physics);
+    }
     scan_.stamp = TimePoint(from_seconds(now_s));
     ++fired_;
   }
@@ -82,7 +89,8 @@ void Sonar::fire(std::size_t disc, const Physics& physics) {
     nearest = std::min(nearest, hit.distance_m);
   }
   if (std::isfinite(nearest)) {
-    nearest += (kEchoNoise_m + kEchoNoiseShare * nearest) * random_.normal(16 * fired_ + disc);
+    const std::size_t numbers = std::max(kSonarDiscs, mounts_.size());
+    nearest += (kEchoNoise_m + kEchoNoiseShare * nearest) * random_.normal(numbers * fired_ + disc);
     nearest = std::max(nearest, kSonarNearest_m);
   }
   scan_.readings[disc] = seen_from_axle(pose, nearest);

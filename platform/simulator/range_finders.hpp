@@ -1,6 +1,6 @@
 #pragma once
 
-#include <array>
+#include <vector>
 
 #include "striate/base/pioneer_devices.hpp"
 #include "striate/platform/interface/robot.hpp"
@@ -10,17 +10,19 @@
 
 namespace striate::simulator {
 
-/// Where the sixteen discs sit and look, from the axle: as on the Pioneer, and on a body of another
-/// outline as near to its rim.
-[[nodiscard]] std::array<Pose2, kSonarDiscs> sonar_mounts(const RobotDescription& robot);
+/// Where the discs sit and look, from the axle: as the robot says; else as on the Pioneer, and on a
+/// body of another outline as near to its rim.
+[[nodiscard]] std::vector<Pose2> sonar_mounts(const RobotDescription& robot);
 
-/// The disc of each array that fired last, for a scan that carries this stamp.
-[[nodiscard]] std::array<std::size_t, 2> discs_fired_at(TimePoint stamp);
+/// The disc of each of so many arrays that fired last, for a scan that carries this stamp.
+[[nodiscard]] std::vector<std::size_t> discs_fired_at(TimePoint stamp, std::size_t arrays);
 
 /// Where the laser sits, from the axle.
 [[nodiscard]] Pose2 laser_mount(const RobotDescription& robot);
 
-/// Two arrays of eight discs. In each array one disc fires every 40 ms, so that a disc is 320 ms
+inline constexpr std::size_t kDiscsOfAnArray = 8;
+
+/// Arrays of eight discs. In each array one disc fires every 40 ms, so that a disc is 320 ms
 /// old when its turn comes again. An echo comes from the nearest thing in the beam that throws
 /// sound back: a smooth wall does so only where it stands nearly square to the beam.
 class Sonar {
@@ -35,7 +37,7 @@ class Sonar {
   void fire(std::size_t disc, const Physics& physics);
   Random random_;
   SensorSettings settings_;
-  std::array<Pose2, kSonarDiscs> mounts_;
+  std::vector<Pose2> mounts_;
   RangeScan scan_;
   std::uint64_t fired_ = 0;
 };

@@ -12,7 +12,7 @@ NodeStatus ActionNode::on_tick(TaskCycle& cycle) {
   const behaviours::Wish wanted = behaviour_->tick(cycle.memory());
   if (wanted.progress == behaviours::Progress::succeeded) return NodeStatus::succeeded;
   if (wanted.progress == behaviours::Progress::failed) {
-    cycle.reason().set("{} (line {}): {}", name_, line_, wanted.why.view());
+    cycle.reason().set(wanted.failure, line_, "{} (line {}): {}", name_, line_, wanted.why.view());
     return NodeStatus::failed;
   }
   cycle.want(this, name_, motors_, wanted);

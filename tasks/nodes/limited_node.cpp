@@ -15,7 +15,8 @@ NodeStatus LimitedNode::on_tick(TaskCycle& cycle) {
     if (limits_.until && limits_.until->holds(cycle.memory())) {
       pending_ = NodeStatus::succeeded;
     } else if (limits_.within && cycle.now() - started_ > *limits_.within) {
-      cycle.reason().set("{} (line {}) took longer than {:g} s", label_, line_,
+      cycle.reason().set(behaviours::Failure::took_too_long, line_,
+                         "{} (line {}) took longer than {:g} s", label_, line_,
                          to_seconds(*limits_.within));
       pending_ = NodeStatus::failed;
     } else {

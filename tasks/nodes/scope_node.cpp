@@ -33,7 +33,8 @@ NodeStatus ScopeNode::tick_steps(TaskCycle& cycle) {
       cycle.pause(guard->text.c_str());
       return NodeStatus::running;
     }
-    cycle.reason().set("guard (line {}): {}", guard->line, guard->text);
+    cycle.reason().set(behaviours::Failure::guard, guard->line, "guard (line {}): {}", guard->line,
+                       guard->text);
     phase_ = Phase::halting;
     return steps_->halt(cycle) ? begin_finally(cycle, NodeStatus::failed) : NodeStatus::running;
   }

@@ -10,17 +10,25 @@
 
 namespace striate::tasks {
 
-/// Why something failed, in words; fixed memory, what is too long is cut.
+/// Why something failed: a word for programs, the line of the script, and words for people in fixed
+/// memory; what is too long is cut.
 class Reason {
  public:
   template <class... Args>
-  void set(fmt::format_string<Args...> text, Args&&... args) {
+  void set(behaviours::Failure failure, int line, fmt::format_string<Args...> text,
+           Args&&... args) {
+    failure_ = failure;
+    line_ = line;
     text_ = format_text<FixedText<240>>(text, std::forward<Args>(args)...);
   }
-  void clear() { text_.clear(); }
   [[nodiscard]] std::string_view view() const { return text_.view(); }
+  [[nodiscard]] behaviours::Failure failure() const { return failure_; }
+  /// From 1 on; 0: nothing has failed.
+  [[nodiscard]] int line() const { return line_; }
 
  private:
+  behaviours::Failure failure_ = behaviours::Failure::other;
+  int line_ = 0;
   FixedText<240> text_;
 };
 

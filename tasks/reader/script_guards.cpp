@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "striate/tasks/condition_registry.hpp"
+#include "striate/tasks/condition_reader.hpp"
 #include "striate/tasks/fault.hpp"
 #include "striate/tasks/reader/script_reader.hpp"
 
@@ -59,12 +59,11 @@ void ScriptReader::read_guard(const Node& node, std::vector<Guard>& guards, Outl
 
 /// The robot stands while a task pauses, so what only its motion could end lasts for ever.
 void ScriptReader::check_pause(const Node& condition) {
-  const Node::Entry& entry = condition.entries.front();
-  const ConditionEntry* kind = find_condition(entry.key);
-  if (kind == nullptr || !kind->lasts_while_standing) return;
+  const Node::Entry* lasting = lasts_while_standing(condition);
+  if (lasting == nullptr) return;
   diagnostics_.add(
-      fault::pauses_for_ever, entry.key_place,
-      fmt::format("the pause would never end: '{}' lasts while the robot stands", entry.key),
+      fault::pauses_for_ever, lasting->key_place,
+      fmt::format("the pause would never end: '{}' lasts while the robot stands", lasting->key),
       "use 'fail_if', or pause on what ends by itself, as 'image_older_than'");
 }
 

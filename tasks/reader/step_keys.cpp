@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
 #include "striate/config/map_reader.hpp"
-#include "striate/tasks/condition_registry.hpp"
+#include "striate/tasks/condition_reader.hpp"
 #include "striate/tasks/fault.hpp"
 #include "striate/tasks/nodes/limited_node.hpp"
 #include "striate/tasks/nodes/only_if_node.hpp"
@@ -23,9 +23,15 @@ const Node* value_of(const Node& step, const char* key) {
   return entry == nullptr ? nullptr : &entry->value;
 }
 
-/// `until: {after: 20 s}` with `within: 10 s` is never reached.
+/// `until: {after: 20 s}` with `within: 10 s` is never reached, nor is what holds with it alone.
 void check_order(const Node& until, double within_s, config::Diagnostics& diagnostics) {
-  if (until.entries.size() != 1 || until.entries.front().key != "after") return;
+  if (until.kind != Node::Kind::map || until.entries.size() != 1) return;
+  if (until.entries.front().key == "all") {
+    for (const Node& joined : until.entries.front().value.items) {
+      check_order(joined, within_s, diagnostics);
+    }
+  }
+  if (until.entries.front().key != "after") return;
   config::Diagnostics unheard(diagnostics.file());
   const auto after_s = config::read_quantity(until.entries.front().value, config::Unit::duration,
                                              {0.0, 86400.0}, unheard);

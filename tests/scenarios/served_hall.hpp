@@ -20,8 +20,9 @@ inline simulator::World hall() {
 /// A simulated Pioneer's base in an empty hall, served in a thread of its own at any free port.
 class Served {
  public:
-  explicit Served(served::ServeSettings settings = {}, const served::ServedDevices& devices = {})
-      : robot_(hall(), 1, {}, devices),
+  explicit Served(served::ServeSettings settings = {}, const served::ServedDevices& devices = {},
+                  const RobotDescription& robot = {})
+      : robot_(hall(), 1, {}, devices, robot),
         server_(robot_, nullptr, on_any_port(std::move(settings)), [](const std::string&) {}),
         thread_([this] { server_.run([this] { return !ends_; }); }) {}
   ~Served() {

@@ -142,8 +142,8 @@ void ArcosFirmware::send_sip() {
   const double turn_mm_s = senses_.odometry.turn_rad_s * model_.half_axle_mm;
   const double forward_mm_s = 1000.0 * senses_.odometry.forward_m_s;
   arcos::Sip sip = odometry_sip();
-  sip.left_mm_s = as_i16(forward_mm_s - turn_mm_s);
-  sip.right_mm_s = as_i16(forward_mm_s + turn_mm_s);
+  sip.left_mm_s = as_i16((forward_mm_s - turn_mm_s) / model_.velocity_mm_s);
+  sip.right_mm_s = as_i16((forward_mm_s + turn_mm_s) / model_.velocity_mm_s);
   const bool moves = std::abs(forward_mm_s) + std::abs(turn_mm_s) > kStandsMm_s;
   sip.type = moves ? 0x33 : 0x32;
   const double battery_v = fake_battery_v_.value_or(senses_.battery_v);

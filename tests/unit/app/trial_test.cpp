@@ -143,11 +143,15 @@ TEST(RunResult, JsonRoundTripKeepsEverything) {
   result.reason = "a \"quoted\" reason";
   result.emergency_layer = false;
   result.longest_stand_why = "looks round for a gap";
+  result.failure = "way_blocked";
+  result.failure_line = 12;
   result.late_obstacles = {{"new_box", 41.5, 6.5}, {"new_chair", std::nullopt, 0.0}};
   const agent::RunResult back =
       agent::run_result_from_json(nlohmann::json::parse(agent::to_json(result).dump()));
   EXPECT_EQ(agent::to_json(back).dump(), agent::to_json(result).dump());
   EXPECT_EQ(back.longest_stand_why, "looks round for a gap");
+  EXPECT_EQ(back.failure, "way_blocked");
+  EXPECT_EQ(back.failure_line, 12);
   ASSERT_EQ(back.late_obstacles.size(), 2U);
   EXPECT_EQ(late_obstacles_text(back), "new_box after 42 s, new_chair never");
   EXPECT_THAT(trial_table({back}), HasSubstr("never was:\n- corridor_b seed 7: new_chair\n"));

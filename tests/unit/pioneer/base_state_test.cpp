@@ -37,7 +37,7 @@ TEST(BaseTracker, KnowsTheCountOfTheOldController) {
   tracker.take(at(0, 0, 0), {});
   tracker.take(at(1000, 0, 0), {});
   EXPECT_NEAR(tracker.state().odometry.pose.x_m, 0.485, 1e-9);
-  EXPECT_EQ(find_model("p3at"), nullptr);
+  EXPECT_EQ(find_model("p2at"), nullptr);
 }
 
 TEST(BaseTracker, HeadingWrapsAt4096Counts) {

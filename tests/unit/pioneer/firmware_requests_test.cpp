@@ -233,7 +233,8 @@ TEST(RobotModel, IsTheKindWhateverLaserItsNameTells) {
   }
   ASSERT_NE(find_model("p3dx-lms2xx"), nullptr);
   EXPECT_DOUBLE_EQ(find_model("p3dx-lms2xx")->distance_mm, 0.485);
-  EXPECT_EQ(find_model("p3at-sh-lms500"), nullptr) << "other wheels";
+  ASSERT_NE(find_model("p3at-sh-lms500"), nullptr);
+  EXPECT_EQ(find_model("p3at-sh-lms500")->subclass, "p3at-sh") << "other wheels";
   EXPECT_EQ(find_model("-lms200"), nullptr);
   EXPECT_EQ(find_model("p3dx-lms" + std::string(300, 'x')), nullptr) << "no packet holds it";
   EXPECT_EQ(find_model("p3dx-sh-lms\x1b[2"), nullptr);

@@ -101,6 +101,17 @@ TEST_F(RangeFinders, SitAtTheRimOfTheOutline) {
   EXPECT_NEAR(laser_mount(wide).x_m, 0.042, 1e-12);
 }
 
+TEST_F(RangeFinders, DiscsSitWhereTheRobotSaysArrayByArray) {
+  RobotDescription robot;
+  robot.sonar_discs.assign(24, Pose2{0.1, 0.0, 0.3});
+  ASSERT_EQ(sonar_mounts(robot).size(), 24u);
+  EXPECT_EQ(sonar_mounts(robot)[23].heading_rad, 0.3);
+  const TimePoint stamp{std::chrono::milliseconds(40)};
+  EXPECT_EQ(discs_fired_at(stamp, 3), (std::vector<std::size_t>{5, 13, 21}));
+  EXPECT_EQ(discs_fired_at(stamp, 1), (std::vector<std::size_t>{5}));
+  EXPECT_EQ(Sonar(1, exact(), robot).scan().readings.size(), 24u);
+}
+
 TEST_F(RangeFinders, TheSideSonarsSeeTheWallsSquareOn) {
   const World world = straight_world();
   const Physics physics = physics_at(world, {10.0, 0.2, 0.0});

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "striate/config/yaml.hpp"
+#include "striate/tasks/condition_reader.hpp"
 #include "striate/tasks/condition_registry.hpp"
 
 namespace striate::tasks {
