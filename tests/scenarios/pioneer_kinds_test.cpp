@@ -71,7 +71,9 @@ TEST_P(Kinds, AreDrivenByTheirOwnFactorsAndSeeByTheirOwnSonar) {
                                   reading.distance_m * std::sin(reading.bearing_rad)});
     const double to_side_m = std::abs(std::abs(there.y_m) - 0.5 * world.width_m);
     const double to_end_m = std::min(std::abs(there.x_m), std::abs(there.x_m - world.length_m));
-    EXPECT_LT(std::min(to_side_m, to_end_m), 0.12) << there.x_m << " m, " << there.y_m << " m";
+    // A beam 25 degrees wide meets a slanting wall up to this much before its middle does; another
+    // kind's discs look to other sides and would be metres off.
+    EXPECT_LT(std::min(to_side_m, to_end_m), 0.2) << there.x_m << " m, " << there.y_m << " m";
     ++echoes;
   }
   EXPECT_EQ(senses.sonar.readings.size(), model.discs.size());
