@@ -23,7 +23,10 @@ struct LandmarkFinderSettings {
   double hidden_by_m = 0.5;
   /// The head does not roll and things stand, so a view is not turned much; and what has but a
   /// label in common with a view is another thing.
-  RecognitionSettings matching{.least_share = 0.12, .least_spread = 0.35, .most_turn_rad = 0.785};
+  RecognitionSettings matching{.least_share = 0.12,
+                               .least_share_expected = 0.03,
+                               .least_spread = 0.35,
+                               .most_turn_rad = 0.785};
 };
 
 template <class V>

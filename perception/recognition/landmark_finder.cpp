@@ -80,10 +80,13 @@ void LandmarkFinder::choose_windows(const cv::Mat1b& grey, const ViewGeometry& g
   const int working_px = percept.saliency.salience.cols;
   zoom_ = working_px > 0 ? static_cast<double>(grey.cols) / working_px : 1.0;
   windows_.begin(grey.size(), settings_.most_windows);
+  expected_.clear();
   if (geometry.focal_baseline() > 0.0) {
     for (const LandmarkExpectation& expected : expected_places) {
       // Twice as large: memory's place is not exact.
-      windows_.add(zoomed(grown(box_of(expected, geometry), 0.5), zoom_));
+      const cv::Rect2d around = zoomed(grown(box_of(expected, geometry), 0.5), zoom_);
+      windows_.add(around);
+      expected_.push_back({expected.landmark, around});
     }
   }
   for (const SalientRegion& region : percept.saliency.regions) {
@@ -125,7 +128,7 @@ const std::vector<Recognition>& LandmarkFinder::compare() {
       return clock->now() < ends;
     };
   }
-  return recogniser_.recognise(keypoints_, chosen_, budget);
+  return recogniser_.recognise(keypoints_, chosen_, budget, expected_);
 }
 
 /// A part of the image shows one thing: what has most inliers there. Others that have something

@@ -90,6 +90,7 @@ class LandmarkFinder {
 
   double zoom_ = 1.0;  ///< pixels of the image in a pixel of the working size
   LookWindows windows_;
+  std::vector<ExpectedPlace> expected_;  ///< in pixels of the image
   std::array<std::unique_ptr<OrientedKeypoints>, LookWindows::kSizes> keypoints_of_size_;
   std::vector<Keypoint> in_window_, keypoints_;
   std::vector<float> disparities_;

@@ -89,8 +89,10 @@ const std::vector<Recognition>& Recogniser::recognise(std::span<const Keypoint> 
 
 const std::vector<Recognition>& Recogniser::recognise(std::span<const Keypoint> keypoints,
                                                       std::span<const int> order,
-                                                      const RecognitionBudget& budget) {
+                                                      const RecognitionBudget& budget,
+                                                      std::span<const ExpectedPlace> expected) {
   begin(keypoints);
+  expected_ = expected;
   for (const int view : order) {
     if (looked_at_ >= budget.most_views) break;
     if (looked_at_ > 0 && budget.goes_on && !budget.goes_on()) break;
@@ -100,6 +102,7 @@ const std::vector<Recognition>& Recogniser::recognise(std::span<const Keypoint> 
 }
 
 void Recogniser::begin(std::span<const Keypoint> keypoints) {
+  expected_ = {};
   found_.clear();
   why_.clear();
   claims_.clear();
@@ -160,10 +163,17 @@ bool Recogniser::find_pose(View& view, Recognition& found) {
   found.inliers = keep_what_is_its_own(view);
   found.score = evidence(agreeing_, compared_);
   if (found.inliers < settings_.least_inliers || !is_enough(found.score)) return false;
-  if (!agrees_all_over(view, consensus, found.inliers / all_inliers)) return false;
-  found.matched_fraction = consensus.inliers / static_cast<double>(view.store.size());
   write_pose(consensus.pose, view.width_px, view.height_px, found);
+  const double least = is_expected(found) ? settings_.least_share_expected : settings_.least_share;
+  if (!agrees_all_over(view, consensus, found.inliers / all_inliers, least)) return false;
+  found.matched_fraction = consensus.inliers / static_cast<double>(view.store.size());
   return true;
+}
+
+bool Recogniser::is_expected(const Recognition& found) const {
+  return std::ranges::any_of(expected_, [&](const ExpectedPlace& one) {
+    return one.landmark == found.landmark && one.box.contains({found.u_px, found.v_px});
+  });
 }
 
 /// All pairs of a view and some descriptors with their places.

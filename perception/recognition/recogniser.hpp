@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <opencv2/core/types.hpp>
 #include <span>
 #include <vector>
 
@@ -23,6 +24,12 @@ struct RecognitionBudget {
   /// Asked before each view but the first; false ends the search. Empty: nothing ends it. Who
   /// wants a limit of time asks a clock here.
   std::function<bool()> goes_on;
+};
+
+/// Where a landmark is expected in the image; what was known before takes less to be believed.
+struct ExpectedPlace {
+  int landmark = 0;
+  cv::Rect2d box;  ///< that its middle lies in, in px of the image
 };
 
 /// Finds landmarks that were taught in the keypoints of an image or of a salient region. Holds the
@@ -49,9 +56,11 @@ class Recogniser {
 
   /// Looks for the views of `order` (numbers as add() gave them, the most active first) until the
   /// budget is spent. Numbers of removed views are passed over.
+  /// @param expected where memory expects some of them; `least_share_expected` counts there.
   const std::vector<Recognition>& recognise(std::span<const Keypoint> keypoints,
                                             std::span<const int> order,
-                                            const RecognitionBudget& budget);
+                                            const RecognitionBudget& budget,
+                                            std::span<const ExpectedPlace> expected = {});
   /// How many views the last call looked at.
   [[nodiscard]] std::size_t looked_at() const { return looked_at_; }
 
@@ -77,7 +86,9 @@ class Recogniser {
                   std::span<const KeypointFrame> places);
   [[nodiscard]] bool find_shared_parts(View& view);
   [[nodiscard]] int keep_what_is_its_own(View& view);
-  [[nodiscard]] bool agrees_all_over(const View& view, const Consensus& consensus, double own);
+  [[nodiscard]] bool agrees_all_over(const View& view, const Consensus& consensus, double own,
+                                     double least_share);
+  [[nodiscard]] bool is_expected(const Recognition& found) const;
   void add_pair(const View& view, const KeypointFrame& place, std::span<const Match> matches);
   void keep(const Recognition& recognition);
   /// What speaks for a view beyond chance.
@@ -109,6 +120,7 @@ class Recogniser {
   std::vector<KeypointFrame> visible_;     ///< of a view, at the scale it was found at
   Found compared_;                         ///< of the view that was compared last
   std::vector<double> residuals_;
+  std::span<const ExpectedPlace> expected_;  ///< during a call of recognise()
   std::vector<Recognition> found_;
   std::vector<Found> why_;  ///< of each of found_
   Claims claims_;           ///< of each of found_

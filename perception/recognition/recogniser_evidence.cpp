@@ -17,8 +17,9 @@ double Recogniser::evidence(std::span<const PlacePair> agreeing, const Found& of
 
 /// From afar only the coarse keypoints of a view can be seen: of them, the share that agrees, and
 /// whether those lie all over what is seen.
-bool Recogniser::agrees_all_over(const View& view, const Consensus& consensus, double own) {
-  if (settings_.least_share <= 0.0 && settings_.least_spread <= 0.0) return true;
+bool Recogniser::agrees_all_over(const View& view, const Consensus& consensus, double own,
+                                 double least_share) {
+  if (least_share <= 0.0 && settings_.least_spread <= 0.0) return true;
   // Of the finest keypoint's size: scales are sqrt(2) apart, so half a step is 0.84 (ours)
   constexpr double kAboutAsLarge = 0.9;
   const double least_px = kAboutAsLarge * finest_px_ / consensus.pose.scale();
@@ -27,7 +28,7 @@ bool Recogniser::agrees_all_over(const View& view, const Consensus& consensus, d
     return place.size_px >= least_px && !view.shared.holds(place);
   });
   const double share = own * consensus.inliers / std::max<double>(1.0, visible_.size());
-  return share >= settings_.least_share &&
+  return share >= least_share &&
          spread(visible_, agreeing_, view.width_px, view.height_px) >= settings_.least_spread;
 }
 

@@ -31,6 +31,10 @@ struct RecognitionSettings {
   double least_scale = 0.15;
   /// Of a view's keypoints large enough at that scale; 0: any. The cycle asks for 0.12
   double least_share = 0.0;
+  /// The same where memory expects the landmark: from 40 deg beside the place where it was taught 3
+  /// to 6 % of a book's keypoints agreed, which elsewhere are too few (ours). The cycle asks for
+  /// 0.03
+  double least_share_expected = 0.0;
   /// Of the parts of a view that so many agreeing keypoints would lie in, were they anywhere on it:
   /// those that they do lie in. Seen things had 0.48 to 1 (jsk_arc2017), labels on other things
   /// below 0.3. 0: any. The cycle asks for 0.35
@@ -63,6 +67,8 @@ void visit(V& v, RecognitionSettings& s) {
            "smallest scale of a view; its inverse is the largest");
   v.number("least_share", s.least_share, Unit::fraction, {0.0, 1.0},
            "of a view's keypoints, those large enough to be seen at its scale, that must agree");
+  v.number("least_share_expected", s.least_share_expected, Unit::fraction, {0.0, 1.0},
+           "the same where memory expects the landmark");
   v.number("least_spread", s.least_spread, Unit::fraction, {0.0, 1.0},
            "how evenly the agreeing keypoints must lie on what is seen of the view");
   v.number("most_turn", s.most_turn_rad, Unit::angle, {0.0, 3.2},

@@ -98,6 +98,20 @@ TEST(LandmarkFinder, LooksWhereMemoryExpectsALandmarkAlsoIfNothingIsSalientThere
   EXPECT_EQ(look.recognitions.size(), 1U);
 }
 
+TEST(LandmarkFinder, BelievesLessWhereItExpectsTheLandmark) {
+  LandmarkFinderSettings settings;
+  settings.matching.least_share = 1.1;  // more than can be had
+  LandmarkFinder finder = finder_of({1, 2}, settings);
+  Scene scene;
+  scene.hang(1, 440, 200).salient(440, 200);
+  EXPECT_TRUE(scene.look(finder).recognitions.empty());
+  EXPECT_EQ(scene.look(finder, {expected_at(1, scene, 440, 200)}).recognitions.size(), 1U);
+  EXPECT_TRUE(scene.look(finder, {expected_at(1, scene, 160, 200)}).recognitions.empty())
+      << "elsewhere";
+  EXPECT_TRUE(scene.look(finder, {expected_at(2, scene, 440, 200)}).recognitions.empty())
+      << "another";
+}
+
 TEST(LandmarkFinder, SaysWhyAnExpectedLandmarkWasNotSeen) {
   LandmarkFinder finder = finder_of({1, 2});
   const auto result_of = [&](Scene& scene, const LandmarkExpectation& expected) {
