@@ -5,6 +5,7 @@
 #include <numbers>
 #include <unordered_map>
 
+#include "striate/agent/map_server_files.hpp"
 #include "striate/agent/memory_json.hpp"
 #include "striate/agent/open_memory.hpp"
 #include "striate/agent/pictures/memory_map_svg.hpp"
@@ -14,6 +15,7 @@
 #include "striate/app/memory/text_table.hpp"
 #include "striate/app/perceive_files.hpp"
 #include "striate/base/files.hpp"
+#include "striate/base/user_error.hpp"
 
 namespace striate::app {
 namespace {
@@ -69,12 +71,34 @@ void draw_map(const std::string& file, const std::vector<memory::Landmark>& land
   }
 }
 
-void map(const MemoryCommandOptions& options, const std::string& image) {
+/// FILE.yaml, and the picture beside it.
+void write_map_server(const std::string& file, const std::vector<memory::ObstacleCell>& cells) {
+  const std::filesystem::path picture = std::filesystem::path(file).replace_extension(".pgm");
+  const agent::MapServerFiles files = agent::map_server_files(cells, picture.filename().string());
+  write_file(picture, files.pgm);
+  write_file(file, files.yaml);
+}
+
+void check_map_server(const std::string& file) {
+  if (file.empty()) return;
+  if (!file.ends_with(".yaml")) {
+    throw UserError(
+        fmt::format("--map-server {}: must end in .yaml; the picture beside it is "
+                    "named after it, with .pgm",
+                    file));
+  }
+  check_writable(file);
+  check_writable(std::filesystem::path(file).replace_extension(".pgm").string());
+}
+
+void map(const MemoryCommandOptions& options, const std::string& image,
+         const std::string& map_server) {
   if (image.ends_with(".svg")) {
     check_writable(image);
   } else {
     check_image_writable(image);
   }
+  check_map_server(map_server);
   agent::with_memory(options.file, memory::Access::read, "reading its map",
                      [&](memory::MemoryTables& tables, memory::MemoryFile&) {
                        const std::vector<memory::Landmark> landmarks = tables.landmarks.all(true);
@@ -83,6 +107,7 @@ void map(const MemoryCommandOptions& options, const std::string& image) {
                        if (!image.empty()) {
                          draw_map(image, tables.landmarks.all(false), routes, cells);
                        }
+                       if (!map_server.empty()) write_map_server(map_server, cells);
                        if (options.json) {
                          print_map_json(landmarks, routes, cells);
                        } else {
@@ -123,8 +148,13 @@ void add_memory_map_verbs(CLI::App& command, const SharedMemoryOptions& shared, 
   CLI::App* verb =
       command.add_subcommand("map", "Lists places and routes; or draws them with the obstacles.");
   verb->add_option("--picture", *image, "writes the map from above (.png or .svg)");
-  verb->callback([shared, image, &exit_code] {
-    map(*shared, *image);
+  auto map_server = std::make_shared<std::string>();
+  verb->add_option("--map-server", *map_server,
+                   "writes its obstacles as ROS's map_server and Nav2 read them: FILE.yaml, and "
+                   "FILE.pgm beside it")
+      ->type_name("FILE.yaml");
+  verb->callback([shared, image, map_server, &exit_code] {
+    map(*shared, *image, *map_server);
     exit_code = 0;
   });
   auto most = std::make_shared<int>(50);

@@ -244,6 +244,11 @@ TEST(MemoryCommand, DrawsTheMapOfTheGoldenMemory) {
   EXPECT_THAT(read_text(drawing),
               AllOf(HasSubstr("<svg"), HasSubstr(">book</text>"), HasSubstr("</svg>")));
   EXPECT_FALSE(cv::imread(image).empty());
+  const std::string ros = folder / "home.yaml";
+  EXPECT_EQ(memory(file, {"map", "--map-server", ros}).exit_code, 0);
+  EXPECT_THAT(read_text(ros), HasSubstr("image: home.pgm\n"));
+  EXPECT_EQ(cv::imread(folder / "home.pgm", cv::IMREAD_UNCHANGED).size(), cv::Size(1, 1));
+  EXPECT_EQ(memory(file, {"map", "--map-server", folder / "home.pgm"}).exit_code, 2);
   // Nobody's file is hurt by a mistake: a foreign one is refused by every verb that writes.
   const std::string foreign = folder / "other.db";
   execute(foreign, "CREATE TABLE t (x)");
