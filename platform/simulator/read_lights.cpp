@@ -14,6 +14,7 @@ void read_lamps(const Node& node, World& world, config::Diagnostics& diagnostics
   entry.require_stretch(row.from_m, row.to_m);
   entry.map().number("every", row.every_m, Unit::length, {0.5, 100.0});
   entry.map().number("level", row.level, Unit::none, {0.0, 4.0});
+  entry.map().number("left", row.left_m, Unit::length, {-0.5 * world.width_m, 0.5 * world.width_m});
   entry.finish();
   if (entry.sound()) world.lights.push_back(row);
 }

@@ -63,7 +63,8 @@ struct LightRow {
   double from_m = 0.0;
   double to_m = 0.0;
   double every_m = 4.0;
-  double level = 1.0;  ///< 0 dark .. 1 as bright as an office corridor
+  double level = 1.0;   ///< 0 dark .. 1 as bright as an office corridor
+  double left_m = 0.0;  ///< of the middle
 };
 
 struct Sun {

@@ -114,8 +114,9 @@ class WorldText {
   }
   void light() {
     list("lights", world_.lights, [](const LightRow& row) {
-      return fmt::format("from: {}, to: {}, every: {}, level: {:g}", metres(row.from_m),
-                         metres(row.to_m), metres(row.every_m), row.level);
+      const std::string left = row.left_m == 0.0 ? "" : ", left: " + metres(row.left_m);
+      return fmt::format("from: {}, to: {}, every: {}, level: {:g}{}", metres(row.from_m),
+                         metres(row.to_m), metres(row.every_m), row.level, left);
     });
     if (!world_.sun) return;
     text_ += fmt::format("sun: {{azimuth: {}, elevation: {}, level: {:g}}}\n",

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <opencv2/imgcodecs.hpp>
 
 #include "striate/base/files.hpp"
 #include "tests/scenarios/striate_here.hpp"
@@ -57,10 +58,57 @@ TEST(WorldCommand, DrawsTheSameBuildingFromTheSameSeedAndWritesMany) {
   EXPECT_EQ(files, 5U);
 }
 
+/// A room of 8 m x 4 m with a wall across, in cells of 10 cm, as map_server writes it.
+std::string write_map(const TemporaryFolder& folder, const std::string& header) {
+  cv::Mat1b picture(40, 80, std::uint8_t{254});
+  picture.rowRange(0, 1).setTo(0);
+  picture.rowRange(39, 40).setTo(0);
+  picture.colRange(0, 1).setTo(0);
+  picture.colRange(79, 80).setTo(0);
+  picture(cv::Rect(40, 0, 2, 25)).setTo(0);  // from the top, where y is greatest
+  cv::imwrite(folder / "room.pgm", picture);
+  return folder.write("room.yaml", header);
+}
+
+TEST(WorldCommand, BuildsTheWallsOfAMapThatOthersHaveMade) {
+  const TemporaryFolder folder;
+  const std::string map = write_map(folder,
+                                    "image: room.pgm\nresolution: 0.1\norigin: [-3.0, -2.0, 0.0]\n"
+                                    "negate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n");
+  const std::string world = folder / "world.yaml";
+  const Ended built = striate_here({"world", "--from-map", map, "--out", world});
+  EXPECT_EQ(built.exit_code, 0) << built.err;
+  const Ended described = striate_here({"world", world});
+  EXPECT_EQ(described.exit_code, 0) << described.err;
+  EXPECT_THAT(described.out, HasSubstr("narrowest passage  1.40 m, 4.3 m along"));
+  EXPECT_THAT(read_text(world), HasSubstr("# Made of the map room.yaml"));
+  const Ended there = striate_here({"world", "--from-map", map, "--at", "-2 m, 0.5 m, 90 deg"});
+  EXPECT_THAT(there.out, HasSubstr("start: {at: [1.3 m, 0.5 m], heading: 90 deg}"));
+  const Ended in_the_wall = striate_here({"world", "--from-map", map, "--at", "1.1 m, 1 m"});
+  EXPECT_EQ(in_the_wall.exit_code, 2);
+  EXPECT_THAT(in_the_wall.err, HasSubstr("a Pioneer needs to start"));
+}
+
+TEST(WorldCommand, TellsWhatIsWrongWithAMapAtItsPlace) {
+  const TemporaryFolder folder;
+  const auto told = [&](const std::string& header) {
+    const Ended ended = striate_here({"world", "--from-map", write_map(folder, header)});
+    EXPECT_EQ(ended.exit_code, 2);
+    return ended.err;
+  };
+  EXPECT_THAT(told("image: room.pgm\n"), HasSubstr("'resolution' is missing"));
+  EXPECT_THAT(told("image: room.pgm\nresolution: 40\n"), HasSubstr("room.yaml:2:13: error"));
+  EXPECT_THAT(told("image: room.pgm\nresolution: 0.1\norigin: [0, 0, 1.57]\n"),
+              HasSubstr("the map is turned by 1.57 rad"));
+  EXPECT_THAT(told("image: none.pgm\nresolution: 0.1\n"), HasSubstr("none.pgm"));
+  EXPECT_THAT(told("image: room.pgm\nresolution: 0.1\nnegate: 1\n"),
+              HasSubstr("has a Pioneer room to start"));
+}
+
 TEST(WorldCommand, SaysWhatItWantsWhenItIsGivenNothing) {
   const Ended nothing = striate_here({"world"});
   EXPECT_EQ(nothing.exit_code, 2);
-  EXPECT_THAT(nothing.err, HasSubstr("name a world to describe, or say --random"));
+  EXPECT_THAT(nothing.err, HasSubstr("name a world to describe, say --random"));
   EXPECT_EQ(striate_here({"world", "corridor_a", "--random"}).exit_code, 2);
   EXPECT_EQ(striate_here({"world", "--random", "--kind", "castle"}).exit_code, 2);
   EXPECT_EQ(striate_here({"world", "--random", "--count", "3"}).exit_code, 2);

@@ -119,8 +119,8 @@ void add_lamps(PatchList& patches, std::vector<Lamp>& lamps, const World& world,
   for (const LightRow& row : world.lights) {
     const double every = std::max(row.every_m, 0.5);
     for (double along = row.from_m + every / 2.0; along < row.to_m; along += every) {
-      if (within_an_inner_wall(plan.at(along, 0.0), walls)) continue;
-      const Stand stand{plan.at(along, 0.0), static_cast<float>(plan.height_m) - 0.06F};
+      if (within_an_inner_wall(plan.at(along, row.left_m), walls)) continue;
+      const Stand stand{plan.at(along, row.left_m), static_cast<float>(plan.height_m) - 0.06F};
       patches.block(stand, {{-0.63F, -0.18F, 0.0F}, {0.63F, 0.18F, 0.06F}}, housing, housing, true);
       patches.next_group();
       const float exitance = kExitance * static_cast<float>(row.level);
