@@ -38,8 +38,11 @@ struct RosRobot::Parts {
     } catch (...) {  // nothing goes out: the robot's own deadline on cmd_vel stops it
     }
   }
-  /// Why nothing can be said to the robot, or "".
+  /// Why nothing can be said to anybody, or "".
+  [[nodiscard]] std::string master_trouble() const;
+  /// The same, or why nobody hears it.
   [[nodiscard]] std::string line_trouble() const;
+  [[nodiscard]] std::string hold() const;
   [[nodiscard]] std::string missing() const;
 
   RosSettings settings;
@@ -73,10 +76,22 @@ RosRobot::Parts::Parts(const RosSettings& given, const RobotDescription& body, C
   spinner->start();
 }
 
+std::string RosRobot::Parts::master_trouble() const {
+  return master.silent_for() > kMasterSilent ? "the ROS master is gone" : "";
+}
+
 std::string RosRobot::Parts::line_trouble() const {
-  if (master.silent_for() > kMasterSilent) return "the ROS master is gone";
-  if (cmd_vel.getNumSubscribers() == 0) return "nobody listens on " + cmd_vel.getTopic();
-  return {};
+  std::string trouble = master_trouble();
+  if (trouble.empty() && cmd_vel.getNumSubscribers() == 0) {
+    trouble = "nobody listens on " + cmd_vel.getTopic();
+  }
+  return trouble;
+}
+
+/// Who does not listen is told last: a robot that went silent hears nothing either.
+std::string RosRobot::Parts::hold() const {
+  std::string reason = gate.hold_reason(mail.inbox, master_trouble(), mail.clock.now());
+  return reason.empty() ? line_trouble() : reason;
 }
 
 /// The only place from which `cmd_vel` is published while the robot drives.
@@ -194,8 +209,7 @@ bool RosRobot::waits_for_reset() const {
 
 std::string RosRobot::hold() const {
   const std::lock_guard lock(parts_->mail.mutex);
-  return parts_->gate.hold_reason(parts_->mail.inbox, parts_->line_trouble(),
-                                  parts_->mail.clock.now());
+  return parts_->hold();
 }
 
 }  // namespace striate::ros

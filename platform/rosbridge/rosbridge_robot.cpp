@@ -156,10 +156,10 @@ void RosbridgeRobot::Parts::throw_if_lost(TimePoint now) const {
   const std::string line = line_trouble();
   const bool wheels = now - *inbox.odometry_came() > lost;
   const bool eyes = now - *inbox.images_came() > lost;
-  if ((wheels || eyes) && !line.empty()) lose(line);
+  const bool server = client.silent_for() > std::max(lost, kServerSilent);
+  if ((wheels || eyes || server) && !line.empty()) lose(line);
   if (wheels) lose("no odometry on " + settings.topics.odometry);
   if (eyes) lose(camera.newest ? "no images" : "no images on " + settings.topics.left_image);
-  if (client.silent_for() > std::max(lost, kServerSilent)) lose(url + " does not answer");
 }
 
 RosbridgeRobot::RosbridgeRobot(const BridgeSettings& settings, const RobotDescription& description,
