@@ -1,10 +1,8 @@
 #include "striate/agent/rosbridge_body.hpp"
 
-#include <memory>
 #include <utility>
 
 #include "striate/platform/pioneer/camera/make_stereo_camera.hpp"
-#include "striate/platform/rosbridge/rosbridge_robot.hpp"
 
 namespace striate::agent {
 namespace {
@@ -34,10 +32,18 @@ RobotDescription described(const RobotSettings& settings) {
 
 }  // namespace
 
+std::unique_ptr<rosbridge::RosbridgeRobot> join_rosbridge(const RobotSettings& settings,
+                                                          Duration patience) {
+  const RobotDescription robot = described(settings);
+  rosbridge::BridgeSettings bridge = settings.rosbridge;
+  if (bridge.fixed_tilt_rad == 0.0) bridge.fixed_tilt_rad = robot.resting_tilt_rad;
+  return std::make_unique<rosbridge::RosbridgeRobot>(bridge, robot, own_camera(settings.pioneer),
+                                                     patience);
+}
+
 BodySource robot_behind_rosbridge() {
   return {.wake = [](const RobotSettings& settings) -> Body {
-    auto robot = std::make_unique<rosbridge::RosbridgeRobot>(
-        settings.rosbridge, described(settings), own_camera(settings.pioneer));
+    auto robot = join_rosbridge(settings);
     const auto hold = [&gate = *robot] { return gate.hold(); };
     const auto waits = [&gate = *robot] { return gate.waits_for_reset(); };
     const auto reset = [&gate = *robot] { gate.reset(); };

@@ -13,6 +13,9 @@ namespace {
 /// No camera has more; a message that promises it is damaged (ours)
 constexpr std::uint32_t kMostPixelsASide = 16384;
 
+/// By hand: three times the largest of today's industrial cameras, 200 MB of colours
+constexpr std::uint64_t kMostPixels = 67'108'864;
+
 struct Encoding {
   const char* name;
   int cv_type;
@@ -57,6 +60,30 @@ cv::Mat ordered(const cv::Mat& words, bool big_endian) {
   return turned;
 }
 
+std::uint64_t big_endian(const std::uint8_t* from, int bytes) {
+  std::uint64_t value = 0;
+  for (int i = 0; i < bytes; ++i) value = value << 8U | from[i];
+  return value;
+}
+
+/// The pixels that a JPEG or PNG tells of in its head, before anything of it is decoded; none where
+/// it is neither. PNG: ISO 15948, 11.2.2; JPEG: ITU T.81, B.2.2.
+std::uint64_t pixels_told(const std::uint8_t* data, std::size_t size) {
+  constexpr std::size_t kPngHead = 24;  // bytes: signature, and IHDR up to the height
+  if (size >= kPngHead && big_endian(data, 4) == 0x89504E47) {
+    return big_endian(data + 16, 4) * big_endian(data + 20, 4);
+  }
+  if (size < 4 || big_endian(data, 2) != 0xFFD8) return 0;
+  for (std::size_t at = 2; at + 9 <= size && data[at] == 0xFF;) {
+    const std::uint8_t marker = data[at + 1];
+    const bool is_frame =
+        marker >= 0xC0 && marker <= 0xCF && marker != 0xC4 && marker != 0xC8 && marker != 0xCC;
+    if (is_frame) return big_endian(data + at + 5, 2) * big_endian(data + at + 7, 2);
+    at += marker == 0xFF ? 1 : 2 + static_cast<std::size_t>(big_endian(data + at + 2, 2));
+  }
+  return 0;
+}
+
 /// With 8 bits a channel. A camera of 12 bits leaves the upper four of 16 empty.
 cv::Mat shown(const cv::Mat& image, int& bits) {
   if (image.depth() != CV_16U) return image;
@@ -88,7 +115,9 @@ cv::Mat3b decode(const RawImage& image, int& bits) {
 
 cv::Mat3b decode_compressed(const std::uint8_t* data, std::size_t size, int& bits) {
   cv::Mat image;
-  if (size > 0 && size < (std::size_t{1} << 30)) {
+  const std::uint64_t told = pixels_told(data, size);
+  if (told > kMostPixels) throw std::runtime_error("a compressed image that is far too large");
+  if (told > 0 && size < (std::size_t{1} << 30)) {
     const cv::Mat bytes(1, static_cast<int>(size), CV_8UC1, const_cast<std::uint8_t*>(data));
     image = cv::imdecode(bytes, cv::IMREAD_COLOR | cv::IMREAD_ANYDEPTH);
   }

@@ -25,7 +25,7 @@ struct RawImage {
 [[nodiscard]] cv::Mat3b decode(const RawImage& image, int& bits);
 
 /// A BGR image from JPEG or PNG bytes. @param bits as above. @throws std::runtime_error where they
-/// are none.
+/// are none, or tell of a size that no camera has: a few bytes may promise gigabytes.
 [[nodiscard]] cv::Mat3b decode_compressed(const std::uint8_t* data, std::size_t size, int& bits);
 
 }  // namespace striate::remote

@@ -37,6 +37,11 @@ struct RosbridgeRobot::Parts {
   void hear(std::string_view message);
   void publish();
   void look();
+  [[nodiscard]] bool drives() const {
+    const std::lock_guard lock(mutex);
+    return gate.drives();
+  }
+  [[nodiscard]] std::vector<std::string> last_words() const;
   [[nodiscard]] std::string line_trouble() const;
   [[nodiscard]] std::string missing() const;
   [[nodiscard]] std::string with_trouble(std::string what) const;
@@ -112,6 +117,16 @@ void RosbridgeRobot::Parts::publish() {
   keeper.hear(told->forward_m_s != 0.0 || told->turn_rad_s != 0.0);
 }
 
+/// A zero where anything was driven, and then that nobody listens any more.
+std::vector<std::string> RosbridgeRobot::Parts::last_words() const {
+  std::vector<std::string> words = good_byes(settings, !camera.newest);
+  const std::lock_guard lock(mutex);
+  if (gate.drives()) {
+    words.insert(words.begin(), publish_twist(settings, {}, inbox.sender_ns(clock.now())));
+  }
+  return words;
+}
+
 std::string RosbridgeRobot::Parts::line_trouble() const {
   if (!client.is_open()) return fmt::format("no line to {}: {}", url, client.trouble());
   if (client.silent_for() > kServerSilent) return fmt::format("{} does not answer", url);
@@ -180,15 +195,9 @@ RosbridgeRobot::RosbridgeRobot(const BridgeSettings& settings, const RobotDescri
 RosbridgeRobot::~RosbridgeRobot() {
   if (!parts_) return;
   stop();
-  const bool drove = parts_->gate.drives();
-  if (drove) std::this_thread::sleep_for(kGoodByeTakes);
   try {
-    std::vector<std::string> last = good_byes(parts_->settings, !parts_->camera.newest);
-    if (drove) {
-      const auto stamp_ns = parts_->inbox.sender_ns(parts_->clock.now());
-      last.insert(last.begin(), publish_twist(parts_->settings, {}, stamp_ns));
-    }
-    parts_->client.end(std::move(last));
+    if (parts_->drives()) std::this_thread::sleep_for(kGoodByeTakes);
+    parts_->client.end(parts_->last_words());
   } catch (...) {  // no memory for a good-bye: the keeper and the robot's own deadline are left
   }
 }

@@ -133,7 +133,6 @@ rosbridge:
     left_image: /stereo/left/image${end}
     right_image: /stereo/right/image${end}
     scan: /scan
-  fixed_tilt: -6 deg
   ${more}
 `);
   return file;
@@ -186,6 +185,23 @@ async function drives(name, kind, metres, most_s) {
   await robot.end();
   await relay.kill();
   console.log(`${name}: drove ${driven.toFixed(2)} m in ${took_s.toFixed(1)} s${beyond ? ", beyond the goal line" : ""}`);
+}
+
+async function isLookedAt() {
+  const relay = new Relay(WebSocketServer, 0);
+  await relay.ready;
+  const robot_file = await settings("looked", relay.url, ros1);
+  const robot = new TurtleBot(1, { ...ros1, robot: robot_file });
+  await robot.join(relay.url);
+  const doctor = spawn(striate, ["doctor", "--robot", robot_file], { stdio: ["ignore", "pipe", "inherit"] });
+  let said = "";
+  doctor.stdout.on("data", (piece) => (said += piece));
+  await once(doctor, "close"); // its code tells of the whole machine
+  assert.match(said, /good {3}ws:.*images of \d+ x \d+ and odometry come/);
+  assert.deepEqual(relay.twists, [], "nothing was told to move");
+  await robot.end();
+  await relay.kill();
+  console.log("the doctor finds it good");
 }
 
 async function standsWithoutImages() {
@@ -259,6 +275,7 @@ if (way) {
 } else {
   await drives("ROS 2, JPEG and TwistStamped", ros2, "3 m", 120);
   await drives("ROS 1, raw images and Twist", ros1, "2 m", 120);
+  await isLookedAt();
   await standsWithoutImages();
   await losesAServerThatDies();
   await holdsWhenAServerIsBack();

@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <opencv2/imgcodecs.hpp>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 namespace striate::remote {
@@ -103,6 +105,28 @@ TEST(ImageCodec, ReadsCompressedImages) {
   bytes.resize(bytes.size() / 3);
   EXPECT_THROW((void)decode_compressed(bytes.data(), 10), std::runtime_error);
   EXPECT_THROW((void)decode_compressed(nullptr, 0), std::runtime_error);
+}
+
+TEST(ImageCodec, FewBytesThatPromiseGigabytesAreRefusedBeforeTheyAreDecoded) {
+  for (const char* kind : {".png", ".jpg"}) {
+    std::vector<std::uint8_t> bytes;
+    cv::imencode(kind, cv::Mat3b(30, 40, cv::Vec3b::all(9)), bytes);
+    EXPECT_EQ(decode_compressed(bytes.data(), bytes.size()).size(), cv::Size(40, 30)) << kind;
+    // Where each says its size.
+    const bool png = std::string(kind) == ".png";
+    const std::vector<std::uint8_t> size = png ? std::vector<std::uint8_t>{0, 0, 0, 40, 0, 0, 0, 30}
+                                               : std::vector<std::uint8_t>{0, 30, 0, 40};
+    const auto at = std::search(bytes.begin(), bytes.end(), size.begin(), size.end());
+    ASSERT_NE(at, bytes.end()) << kind;
+    std::fill(at + (png ? 2 : 0), at + 4, std::uint8_t{0xFF});
+    if (png) std::fill(at + 6, at + 8, std::uint8_t{0xFF});
+    EXPECT_THROW((void)decode_compressed(bytes.data(), bytes.size()), std::runtime_error) << kind;
+    try {
+      (void)decode_compressed(bytes.data(), bytes.size());
+    } catch (const std::runtime_error& error) {
+      EXPECT_STREQ(error.what(), "a compressed image that is far too large") << kind;
+    }
+  }
 }
 
 }  // namespace
