@@ -12,8 +12,8 @@ BodySource real_pioneer() {
     if (places.base.empty() || places.camera.empty()) {
       throw UserError(
           "striate run: without --world the task is run with a real robot, and --robot "
-          "FILE must say where its base and its camera are\n"
-          "  hint: config/robots/pioneer.yaml does");
+          "FILE must say where its base and its camera are, or its rosbridge server\n"
+          "  hint: config/robots/pioneer.yaml does, and turtlebot_rosbridge.yaml");
     }
     auto robot =
         std::make_unique<pioneer::PioneerRobot>(settings.pioneer, described_by(settings.robot));

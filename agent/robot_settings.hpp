@@ -12,6 +12,7 @@
 #include "striate/perception/perception.hpp"
 #include "striate/platform/pioneer/pioneer_settings.hpp"
 #include "striate/platform/ros/ros_settings.hpp"
+#include "striate/platform/rosbridge/bridge_settings.hpp"
 #include "striate/platform/simulator/render/renderer.hpp"
 #include "striate/platform/simulator/simulated_pioneer.hpp"
 
@@ -28,6 +29,7 @@ struct RobotSettings {
   simulator::SimulatorSettings simulator;
   pioneer::PioneerSettings pioneer;
   ros::RosSettings ros;
+  rosbridge::BridgeSettings rosbridge;
 };
 
 template <class V>
@@ -41,6 +43,7 @@ void visit(V& v, RobotSettings& s) {
   v.section("simulator", s.simulator);
   v.section("pioneer", s.pioneer);
   v.section("ros", s.ros);
+  v.section("rosbridge", s.rosbridge);
 }
 
 /// The defaults, changed by what the file says; "" is the defaults alone. Loads the plugins that it

@@ -1,10 +1,12 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <utility>
 
 #include "striate/agent/robot_settings.hpp"
 #include "striate/app/command_line/found_file.hpp"
 #include "striate/app/commands/commands.hpp"
+#include "striate/app/doctor/bridge.hpp"
 #include "striate/app/doctor/configuration.hpp"
 #include "striate/app/doctor/devices.hpp"
 #include "striate/app/doctor/machine.hpp"
@@ -52,7 +54,10 @@ void print(const char* title, const Findings& findings) {
 
 Findings look_at_robot(const std::string& file) {
   try {
-    return look_at_places(agent::load_robot_settings(file).pioneer);
+    const agent::RobotSettings settings = agent::load_robot_settings(file);
+    Findings findings = look_at_places(settings.pioneer);
+    for (Finding& finding : look_at_bridge(settings)) findings.push_back(std::move(finding));
+    return findings;
   } catch (const UserError& error) {
     return {{Finding::Grade::wrong, file, error.what(), "correct the file"}};
   }

@@ -17,7 +17,7 @@ struct RunCommandOptions {
   agent::WorldOptions world;
 };
 
-/// Without a world the robot is a real one, or that of a plugin.
+/// Without a world the robot is a real one, one behind a rosbridge server, or that of a plugin.
 agent::BodySource body_for(const RunCommandOptions& options) {
   if (!options.world.world.empty()) return agent::simulated_pioneer(options.world);
   return agent::named_body(options.run.mission.robot);
@@ -29,10 +29,13 @@ void add_run_command(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<RunCommandOptions>();
   CLI::App* command = app.add_subcommand(
       "run",
-      "Runs a task script with the simulated Pioneer in a world, or with a real one.\n"
+      "Runs a task script with the simulated Pioneer in a world, with a real one, or with a "
+      "robot\nbehind a rosbridge server.\n"
       "Examples: striate run corridor --world corridor_a "
       "--seed 7 --result r.json\n"
       "          striate run corridor --robot pioneer "
+      "--var \"way=20 m\"\n"
+      "          striate run corridor --robot turtlebot_rosbridge "
       "--var \"way=20 m\"\n"
       "          striate run corridor --world corridor_a "
       "--real-time --foxglove\n"

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "striate/app/memory/base64.hpp"
 #include "striate/app/memory/json_number.hpp"
+#include "striate/base/base64.hpp"
 #include "striate/memory/long_term/teaching.hpp"
 #include "striate/memory/long_term/view_codec.hpp"
 

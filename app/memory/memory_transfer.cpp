@@ -4,7 +4,7 @@
 
 #include "striate/agent/memory_json.hpp"
 #include "striate/agent/open_memory.hpp"
-#include "striate/app/memory/base64.hpp"
+#include "striate/base/base64.hpp"
 #include "striate/base/files.hpp"
 #include "striate/base/user_error.hpp"
 #include "striate/memory/long_term/memory_errors.hpp"

@@ -9,8 +9,8 @@
 #include <mutex>
 
 #include "striate/base/steady_clock.hpp"
-#include "striate/platform/ros/command_lease.hpp"
-#include "striate/platform/ros/gap_watch.hpp"
+#include "striate/platform/remote/command_lease.hpp"
+#include "striate/platform/remote/gap_watch.hpp"
 #include "striate/platform/ros/messages.hpp"
 #include "striate/platform/ros/node.hpp"
 
@@ -23,8 +23,8 @@ struct CmdVelPilot::Parts {
 
   SteadyClock clock;
   mutable std::mutex mutex;  ///< guards the three below
-  CommandLease lease;
-  GapWatch gaps;
+  remote::CommandLease lease;
+  remote::GapWatch gaps;
   HeadPose head;
   ::ros::CallbackQueue queue;
   ::ros::NodeHandle node;

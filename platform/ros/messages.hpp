@@ -11,7 +11,7 @@
 
 #include "striate/platform/interface/motor_command.hpp"
 #include "striate/platform/interface/senses.hpp"
-#include "striate/platform/ros/camera_model.hpp"
+#include "striate/platform/remote/camera_model.hpp"
 
 /// Between ROS messages and the interface, both ways. Stamps are the callers' business. ROS's
 /// generated headers are C++17: only files of this layer include this one.
@@ -21,7 +21,7 @@ namespace striate::ros {
 /// @throws std::runtime_error for an image that cannot be used
 [[nodiscard]] cv::Mat3b image_of(const sensor_msgs::Image& message, int& bits);
 [[nodiscard]] cv::Mat3b image_of(const sensor_msgs::CompressedImage& message, int& bits);
-[[nodiscard]] EyeInfo eye_info_of(const sensor_msgs::CameraInfo& message);
+[[nodiscard]] remote::EyeInfo eye_info_of(const sensor_msgs::CameraInfo& message);
 /// Where a number is none, nothing is returned.
 [[nodiscard]] bool read(const nav_msgs::Odometry& message, Odometry& odometry);
 /// Echoes as seen from the axle. @param forward_m place of the laser ahead of it

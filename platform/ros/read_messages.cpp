@@ -2,13 +2,13 @@
 #include <limits>
 
 #include "striate/base/geometry.hpp"
-#include "striate/platform/ros/image_codec.hpp"
+#include "striate/platform/remote/image_codec.hpp"
 #include "striate/platform/ros/messages.hpp"
 
 namespace striate::ros {
 
 cv::Mat3b image_of(const sensor_msgs::Image& message, int& bits) {
-  RawImage raw;
+  remote::RawImage raw;
   raw.width = message.width;
   raw.height = message.height;
   raw.step = message.step;
@@ -16,15 +16,15 @@ cv::Mat3b image_of(const sensor_msgs::Image& message, int& bits) {
   raw.encoding = message.encoding;
   raw.data = message.data.data();
   raw.size = message.data.size();
-  return decode(raw, bits);
+  return remote::decode(raw, bits);
 }
 
 cv::Mat3b image_of(const sensor_msgs::CompressedImage& message, int& bits) {
-  return decode_compressed(message.data.data(), message.data.size(), bits);
+  return remote::decode_compressed(message.data.data(), message.data.size(), bits);
 }
 
-EyeInfo eye_info_of(const sensor_msgs::CameraInfo& message) {
-  EyeInfo info;
+remote::EyeInfo eye_info_of(const sensor_msgs::CameraInfo& message) {
+  remote::EyeInfo info;
   info.width_px = static_cast<int>(message.width);
   for (std::size_t i = 0; i < info.projection.size(); ++i) info.projection[i] = message.P[i];
   return info;

@@ -11,21 +11,16 @@
 #include <thread>
 
 #include "striate/base/pioneer_devices.hpp"
+#include "striate/platform/remote/command_gate.hpp"
 #include "striate/platform/ros/cmd_vel_keeper.hpp"
-#include "striate/platform/ros/command_lease.hpp"
-#include "striate/platform/ros/gap_watch.hpp"
-#include "striate/platform/ros/hold_reason.hpp"
 #include "striate/platform/ros/mailbox.hpp"
 #include "striate/platform/ros/master_watch.hpp"
-#include "striate/platform/ros/motion_echo.hpp"
 #include "striate/platform/ros/node.hpp"
 
 namespace striate::ros {
 namespace {
 
 constexpr double kPublishEvery_s = 0.05;  ///< odometry and tf at 20 Hz, twice a cycle
-/// Two leases: to hear, to begin and to tell of it (ours)
-constexpr Duration kFollowsWithin = std::chrono::seconds(1);
 /// Four questions that it did not answer.
 constexpr Duration kMasterSilent = std::chrono::seconds(1);
 /// How long the last zero may take to the robot.
@@ -43,18 +38,18 @@ struct RosRobot::Parts {
     } catch (...) {  // nothing goes out: the robot's own deadline on cmd_vel stops it
     }
   }
-  [[nodiscard]] std::string hold_reason(TimePoint now) const;
+  /// Why nothing can be said to anybody, or "".
+  [[nodiscard]] std::string master_trouble() const;
+  /// The same, or why nobody hears it.
+  [[nodiscard]] std::string line_trouble() const;
+  [[nodiscard]] std::string hold() const;
   [[nodiscard]] std::string missing() const;
 
   RosSettings settings;
   RobotDescription description;
   TimePoint next_cycle;
-  Mailbox mail;  ///< its mutex guards the five below, too
-  CommandLease lease;
-  GapWatch gaps;
-  MotionEcho echo{kFollowsWithin};
-  std::optional<TimePoint> seen_at;  ///< the newest image that was handed out
-  bool drives = false;  ///< something was sent: from now on silence would not be a stop
+  Mailbox mail;  ///< its mutex guards the gate, too
+  remote::CommandGate gate;
   MasterWatch master;
   CmdVelKeeper& keeper;
 
@@ -69,12 +64,7 @@ struct RosRobot::Parts {
 };
 
 RosRobot::Parts::Parts(const RosSettings& given, const RobotDescription& body, CmdVelKeeper& keeps)
-    : settings(given),
-      description(body),
-      mail(given),
-      lease(from_seconds(given.lease_s)),
-      gaps(from_seconds(given.longest_gap_s), from_seconds(given.command_gap_s)),
-      keeper(keeps) {
+    : settings(given), description(body), mail(given), gate(given), keeper(keeps) {
   node.setCallbackQueue(&queue);
   subscribers = subscribe(node, settings, mail);
   cmd_vel = node.advertise<geometry_msgs::Twist>(settings.cmd_vel, 1);
@@ -86,33 +76,33 @@ RosRobot::Parts::Parts(const RosSettings& given, const RobotDescription& body, C
   spinner->start();
 }
 
-std::string RosRobot::Parts::hold_reason(TimePoint now) const {
-  if (gaps.holds()) return "the program stood still";
-  if (echo.holds()) return "the robot does not follow its commands, or is late";
-  if (master.silent_for() > kMasterSilent) return "the ROS master is gone";
-  std::string reason = stale_sense(mail.inbox, from_seconds(settings.stale_s), now);
-  if (!reason.empty()) return reason;
-  if (!lease.at(now)) return "no fresh command";
-  if (seen_at && now - *seen_at > from_seconds(settings.seen_old_s)) {
-    return "what it has seen is too old";
+std::string RosRobot::Parts::master_trouble() const {
+  return master.silent_for() > kMasterSilent ? "the ROS master is gone" : "";
+}
+
+std::string RosRobot::Parts::line_trouble() const {
+  std::string trouble = master_trouble();
+  if (trouble.empty() && cmd_vel.getNumSubscribers() == 0) {
+    trouble = "nobody listens on " + cmd_vel.getTopic();
   }
-  if (cmd_vel.getNumSubscribers() == 0) return "nobody listens on " + cmd_vel.getTopic();
-  return {};
+  return trouble;
+}
+
+/// Who does not listen is told last: a robot that went silent hears nothing either.
+std::string RosRobot::Parts::hold() const {
+  std::string reason = gate.hold_reason(mail.inbox, master_trouble(), mail.clock.now());
+  return reason.empty() ? line_trouble() : reason;
 }
 
 /// The only place from which `cmd_vel` is published while the robot drives.
 void RosRobot::Parts::publish() {
   const std::lock_guard lock(mail.mutex);
-  if (!drives) return;
   const TimePoint now = mail.clock.now();
-  gaps.look(now);
-  const auto command = lease.at(now);
-  const bool holds = !hold_reason(now).empty();
-  const MotorCommand sent = holds ? MotorCommand{} : *command;
-  echo.felt(mail.inbox.senses().odometry);
-  echo.commanded(sent, now);
-  cmd_vel.publish(twist_of(sent));
-  keeper.hear(sent.forward_m_s != 0.0 || sent.turn_rad_s != 0.0);
+  const auto told = gate.tell(mail.inbox, line_trouble(), now);
+  if (!told) return;
+  cmd_vel.publish(twist_of(*told));
+  keeper.hear(told->forward_m_s != 0.0 || told->turn_rad_s != 0.0);
+  const auto command = gate.fresh(now);
   if (!command) return;
   std_msgs::Float64 angle;
   angle.data = command->pan_rad;
@@ -153,7 +143,7 @@ RosRobot::~RosRobot() {
   if (!parts_) return;
   stop();
   parts_->timer.stop();
-  if (parts_->drives) std::this_thread::sleep_for(kGoodBye);
+  if (parts_->gate.drives()) std::this_thread::sleep_for(kGoodBye);
   parts_->spinner->stop();
 }
 
@@ -173,7 +163,7 @@ bool RosRobot::sense(Senses& senses) {
   const std::lock_guard lock(p.mail.mutex);
   senses = p.mail.inbox.senses();
   senses.now = p.mail.clock.now();
-  p.seen_at = senses.stereo.stamp;
+  p.gate.seen(senses.stereo.stamp);
   if (senses.now - senses.sonar.stamp > kSonarFresh) senses.sonar.readings.clear();
   const Duration lost = from_seconds(p.settings.lost_s);
   if (senses.now - *p.mail.inbox.odometry_came() > lost) {
@@ -191,10 +181,7 @@ bool RosRobot::sense(Senses& senses) {
 void RosRobot::send(const MotorCommand& command) {
   {
     const std::lock_guard lock(parts_->mail.mutex);
-    const TimePoint now = parts_->mail.clock.now();
-    parts_->gaps.commanded(command, now);
-    parts_->lease.give(command, now);
-    parts_->drives = true;
+    parts_->gate.command(command, parts_->mail.clock.now());
   }
   parts_->publish();
 }
@@ -203,8 +190,7 @@ void RosRobot::stop() noexcept {
   try {
     {
       const std::lock_guard lock(parts_->mail.mutex);
-      parts_->lease.end();
-      parts_->gaps.commanded({}, parts_->mail.clock.now());
+      parts_->gate.end(parts_->mail.clock.now());
     }
     parts_->publish();
   } catch (...) {  // what cannot be said is left to the robot's own watchdog
@@ -213,19 +199,17 @@ void RosRobot::stop() noexcept {
 
 void RosRobot::reset() {
   const std::lock_guard lock(parts_->mail.mutex);
-  parts_->gaps.reset();
-  parts_->echo.reset();
-  parts_->lease.end();  // what was decided before does not drive
+  parts_->gate.reset();
 }
 
 bool RosRobot::waits_for_reset() const {
   const std::lock_guard lock(parts_->mail.mutex);
-  return parts_->gaps.holds() || parts_->echo.holds();
+  return parts_->gate.waits_for_reset();
 }
 
 std::string RosRobot::hold() const {
   const std::lock_guard lock(parts_->mail.mutex);
-  return parts_->hold_reason(parts_->mail.clock.now());
+  return parts_->hold();
 }
 
 }  // namespace striate::ros

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <opencv2/imgproc.hpp>
 
+#include "striate/app/doctor/bridge.hpp"
 #include "striate/app/doctor/configuration.hpp"
 #include "striate/app/doctor/devices.hpp"
 #include "striate/app/doctor/eyes.hpp"
@@ -80,6 +81,18 @@ TEST(Doctor, TriesThePlacesOfARobotFile) {
     EXPECT_EQ(about(findings, name)->grade, Grade::wrong) << name;
     EXPECT_NE(about(findings, name)->what, "") << name;
   }
+}
+
+TEST(Doctor, TriesTheRosbridgeServerOfARobotFile) {
+  agent::RobotSettings settings;
+  EXPECT_TRUE(look_at_bridge(settings).empty()) << "none is named";
+  settings.rosbridge.url = "ws://127.0.0.1:1";
+  const Findings refused = look_at_bridge(settings, std::chrono::milliseconds(300));
+  ASSERT_NE(about(refused, "ws://127.0.0.1:1"), nullptr);
+  EXPECT_EQ(about(refused, "ws://127.0.0.1:1")->grade, Grade::wrong);
+  EXPECT_THAT(about(refused, "ws://127.0.0.1:1")->what, testing::HasSubstr("no rosbridge server"));
+  settings.rosbridge.url = "http://robot";
+  EXPECT_THAT(look_at_bridge(settings)[0].what, testing::HasSubstr("must begin with ws://"));
 }
 
 TEST(Doctor, JudgesACalibrationByTheErrorThatStandsInIt) {

@@ -1,7 +1,9 @@
-#include "striate/platform/ros/hold_reason.hpp"
+#include "striate/platform/remote/hold_reason.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include "striate/platform/ros/inbox.hpp"
 
 namespace striate::ros {
 namespace {
@@ -31,7 +33,7 @@ struct Sender {
   Inbox inbox{known_camera()};
   sensor_msgs::Image image = [] {
     sensor_msgs::Image message;
-    write(cv::Mat3b(12, 16, cv::Vec3b(1, 2, 3)), message);
+    write(cv::Mat3b(24, 32, cv::Vec3b(1, 2, 3)), message);
     return message;
   }();
 
@@ -48,7 +50,7 @@ struct Sender {
   }
   void laser(double now_s) { inbox.take(stamped<sensor_msgs::LaserScan>(now_s), at(now_s)); }
   [[nodiscard]] std::string reason(double now_s) const {
-    return stale_sense(inbox, kStale, at(now_s));
+    return remote::stale_sense(inbox, kStale, at(now_s));
   }
 };
 

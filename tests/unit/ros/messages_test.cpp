@@ -67,7 +67,7 @@ TEST(Messages, ACameraComesBackAsItWentAndFitsSmallerImages) {
   sensor_msgs::CameraInfo right;
   write(sent, false, left);
   write(sent, true, right);
-  CameraModel model(0.0, 0.0);
+  remote::CameraModel model(0.0, 0.0);
   model.set_left(eye_info_of(left));
   EXPECT_FALSE(model.known());
   model.set_right(eye_info_of(right));
@@ -84,7 +84,7 @@ TEST(Messages, ACameraComesBackAsItWentAndFitsSmallerImages) {
   EXPECT_NEAR(back.focal_px, 203.0, 1e-9);
   EXPECT_NEAR(back.centre_u_px, 80.0, 1e-9);
 
-  CameraModel crossed(0.0, 0.0);
+  remote::CameraModel crossed(0.0, 0.0);
   crossed.set_left(eye_info_of(right));
   crossed.set_right(eye_info_of(left));
   EXPECT_FALSE(crossed.known());
