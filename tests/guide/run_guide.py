@@ -47,7 +47,8 @@ def walk(page, guide, environment, work):
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True)
     ran = 0
-    for language, title, text in BLOCK.findall(page.read_text(encoding="utf-8")):
+    content = page.read_text(encoding="utf-8")
+    for language, title, text in BLOCK.findall(content):
         if language == "sh":
             ran += 1
             if title == "elsewhere":
@@ -57,8 +58,9 @@ def walk(page, guide, environment, work):
         elif title:
             (folder / title).parent.mkdir(parents=True, exist_ok=True)
             (folder / title).write_text(text, encoding="utf-8")
+    if ran != len(re.findall(r"^ *```sh", content, re.MULTILINE)):
+        raise SystemExit(f"{page}: a block is not written as this program reads them")
     print(f"{page.relative_to(guide)}: {ran} blocks")
-    return ran
 
 
 def main():
@@ -68,8 +70,8 @@ def main():
     environment["PYTHONPATH"] = str(striate.parent / "python")
     environment["XDG_CONFIG_HOME"] = str(work / "no_configuration")
     pages = [guide / f"{name}.md" for name in sys.argv[4:]] or sorted(guide.glob("*.md"))
-    if sum(walk(page, guide, environment, work) for page in pages) < len(sys.argv[4:]):
-        raise SystemExit("nothing was run: are blocks written otherwise now?")
+    for page in pages:
+        walk(page, guide, environment, work)
 
 
 main()

@@ -95,7 +95,7 @@ TEST(ManualPage, HasEveryCommandAndOption) {
                     HasSubstr("\n.SS striate learn\\-descriptor\n"),
                     HasSubstr("\\fB\\-\\-tilt\\-deg\\fR \\fIFLOAT\\fR\n"),
                     HasSubstr("(from \\-60 to 60; default \\-13; only with \\-\\-picture)"),
-                    HasSubstr("\\fB\\-\\-kind\\fR p3dx|p3dx\\-sh\n")));
+                    HasSubstr("\\fB\\-\\-kind\\fR p3dx|p3dx\\-sh|p3at|")));
   // Every option that any help shows stands in the page.
   for (const std::string& line : lines_of(striate_here({"help", "run"}).out)) {
     const std::size_t at = line.find("  --");
