@@ -71,11 +71,11 @@ TEST(ArcosSession, GoesOnWithoutAConfigurationAfterASecond) {
 }
 
 TEST(ArcosSession, RefusesARobotOfAnUnknownKindUnlessForced) {
-  const FirmwareSettings strange{.subclass = "patrolbot-sh"};
+  const FirmwareSettings strange{.subclass = "powerbot-sh"};
   TestBed refused({}, strange);
   refused.run(2.0);
   EXPECT_EQ(refused.driver.session().state(), LinkState::refused);
-  EXPECT_THAT(refused.driver.session().trouble(), testing::HasSubstr("patrolbot-sh"));
+  EXPECT_THAT(refused.driver.session().trouble(), testing::HasSubstr("powerbot-sh"));
   EXPECT_FALSE(refused.line.is_open());
   BaseDriverSettings settings;
   settings.session.force_unknown_model = true;
