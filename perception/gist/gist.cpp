@@ -16,8 +16,8 @@ constexpr double kRootUnit = 256.0;
 /// The paper's lambda with a round envelope, which is one separable filter
 constexpr V1Settings kGistCells{.wavelength_px = 4.0, .gamma = 1.0};
 
-constexpr int kCodes = 65536;  ///< 16 bits
-constexpr int kLeastCode = -32768;
+constexpr int kCodes = 65536;       ///< codes: all of 16 bits, as V1Responses has them
+constexpr int kLeastCode = -32768;  ///< code of no response, the least of 16 bits: V1Responses
 
 /// First pixel of each part, and the end: parts differ by a pixel at most.
 int part_edge(int part, int size) {

@@ -82,6 +82,19 @@ void PlaceRecogniser::compare(std::span<const Keypoint> keypoints, PlaceMatch& m
   recogniser_.remove(number);
 }
 
+void PlaceRecogniser::add_neighbours(const Gist& now, const std::function<bool(int)>& may_be,
+                                     const std::function<bool(int, int)>& same,
+                                     std::vector<PlaceMatch>& matches) const {
+  const int best = matches.front().place;
+  const auto is_new = [&](int place) {
+    const bool near = same(place, best) && (!may_be || may_be(place));
+    return near && std::ranges::find(matches, place, &PlaceMatch::place) == matches.end();
+  };
+  for (const PlaceMatch& match : propose(now, settings_.most_neighbours, is_new)) {
+    matches.push_back(match);
+  }
+}
+
 void PlaceRecogniser::judge(const std::function<bool(int, int)>& same, PlaceAnswer& answer) const {
   const PlaceMatch& best = answer.matches.front();
   const auto other = std::ranges::find_if(answer.matches, [&](const PlaceMatch& match) {
@@ -109,6 +122,14 @@ PlaceAnswer PlaceRecogniser::find(const PlaceView& now, const std::function<bool
   const std::vector<Keypoint> keypoints = keypoints_of(now.view);
   for (PlaceMatch& match : answer.matches) compare(keypoints, match);
   std::ranges::stable_sort(answer.matches, std::greater<>(), &PlaceMatch::evidence);
+  if (same && answer.matches.front().evidence > 0.0) {
+    const std::size_t compared = answer.matches.size();
+    add_neighbours(now.gist, may_be, same, answer.matches);
+    for (std::size_t k = compared; k < answer.matches.size(); ++k) {
+      compare(keypoints, answer.matches[k]);
+    }
+    std::ranges::stable_sort(answer.matches, std::greater<>(), &PlaceMatch::evidence);
+  }
   judge(same, answer);
   return answer;
 }

@@ -49,7 +49,7 @@ struct PlaceAnswer {
   PlaceVerdict verdict = PlaceVerdict::nothing_known;
   /// 0..1; 0.5 is enough, and is reached where evidence and lead are just what is asked for
   double confidence = 0.0;
-  std::vector<PlaceMatch> matches;  ///< the proposals, most evidence first
+  std::vector<PlaceMatch> matches;  ///< all that were compared, most evidence first
   /// The best one of them that is another place than the first; -1: none
   int other = -1;
 };
@@ -75,13 +75,16 @@ class PlaceRecogniser {
   [[nodiscard]] std::vector<PlaceMatch> propose(const Gist& now, int most,
                                                 const std::function<bool(int)>& may_be = {}) const;
 
-  /// @param same whether two numbers stand for one place, as neighbours do: they do not contend.
-  /// Empty: none do.
+  /// @param same whether two numbers stand for one place, as neighbours do: they do not contend,
+  /// and those of the best proposal are compared, too. Empty: none do.
   [[nodiscard]] PlaceAnswer find(const PlaceView& now, const std::function<bool(int)>& may_be = {},
                                  const std::function<bool(int, int)>& same = {});
 
  private:
   void compare(std::span<const Keypoint> keypoints, PlaceMatch& match);
+  void add_neighbours(const Gist& now, const std::function<bool(int)>& may_be,
+                      const std::function<bool(int, int)>& same,
+                      std::vector<PlaceMatch>& matches) const;
   void judge(const std::function<bool(int, int)>& same, PlaceAnswer& answer) const;
 
   PlaceSettings settings_;

@@ -78,6 +78,23 @@ TEST_F(Places, TwoThatLookTheSameAreAmbiguousUnlessTheyAreNeighbours) {
   EXPECT_EQ(together.verdict, PlaceVerdict::known);
 }
 
+TEST_F(Places, TheNeighboursOfTheBestProposalAreComparedToo) {
+  PlaceSettings one_proposal;
+  one_proposal.proposals = 1;
+  PlaceRecogniser places(one_proposal);
+  PlaceView right = eye_.look(look_along(0.05, 0.0, 0.0));
+  right.gist = eye_.look(look_along(6.0, 0.0, 0.0)).gist;  // it is not proposed
+  places.add(right);
+  places.add(eye_.look(look_along(-0.6, 0.0, 0.0)));
+  const PlaceView now = eye_.look(look_along(0.0, 0.0, 0.0));
+  EXPECT_EQ(places.find(now).matches.front().place, 1);
+  const PlaceAnswer answer = places.find(now, {}, [](int, int) { return true; });
+  ASSERT_EQ(answer.matches.size(), 2U);
+  EXPECT_EQ(answer.matches.front().place, 0);
+  const auto only_one = [](int place) { return place == 1; };
+  EXPECT_EQ(places.find(now, only_one, [](int, int) { return true; }).matches.size(), 1U);
+}
+
 TEST_F(Places, OnlyThoseThatMayBeAreLookedAt) {
   const PlaceView now = eye_.look(look_along(0.0, 0.0, 0.0));
   EXPECT_EQ(places_.find(now).verdict, PlaceVerdict::nothing_known);
