@@ -2,6 +2,7 @@
 
 #include "striate/app/commands/commands.hpp"
 #include "striate/app/commands/eval_odometry_command.hpp"
+#include "striate/app/commands/eval_places_command.hpp"
 #include "striate/base/files.hpp"
 #include "striate/evaluation/evaluation.hpp"
 
@@ -65,6 +66,7 @@ void add_eval_command(CLI::App& app, int& exit_code) {
     });
   }
   add_eval_odometry(*command, exit_code);
+  add_eval_places(*command, exit_code);
 }
 
 }  // namespace striate::app

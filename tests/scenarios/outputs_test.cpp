@@ -56,6 +56,7 @@ const std::vector<Words> kWriteIntoAFolder = {
     {"eval", "saliency", "data", "--out"},
     {"eval", "objects", "data", "--out"},
     {"eval", "odometry", "data", "--out"},
+    {"eval", "places", "data", "--out"},
 };
 
 TEST(Outputs, AFileThatCannotBeWrittenIsSaidBeforeAnyWork) {
