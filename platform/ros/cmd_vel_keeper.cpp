@@ -1,120 +1,36 @@
 #include "striate/platform/ros/cmd_vel_keeper.hpp"
 
-#include <fcntl.h>
 #include <geometry_msgs/Twist.h>
-#include <poll.h>
 #include <ros/init.h>
 #include <ros/node_handle.h>
-#include <sys/prctl.h>
-#include <sys/socket.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
-#include <array>
-#include <chrono>
-#include <csignal>
-#include <exception>
-#include <thread>
 
 #include "striate/platform/ros/node.hpp"
 
 namespace striate::ros {
 namespace {
 
-/// Two in a row of the mind's words, 50 ms each, may be late; as the keeper of a Pioneer's line
-constexpr int kCmdVelLease_ms = 250;
-constexpr int kZeroEvery_ms = 50;  // as often as the mind publishes (ros_robot.cpp)
-/// Subscribers that lost a connection are back by then; a second is also RosAria's patience
-constexpr int kLongestZeros_ms = 1000;
 /// A node that ends tells the master so; over a network it may take this long (by hand)
 constexpr auto kNodeEnds = std::chrono::milliseconds(1000);
 
-enum class Word : char { stands = 's', moves = 'm', ends = 'e' };
-
-/// The last of the mind's words. @return false at its end
-bool read_words(int line, Word& word) {
-  std::array<char, 64> words{};
-  const ssize_t got = read(line, words.data(), words.size());
-  if (got <= 0) return false;
-  word = static_cast<Word>(words.at(static_cast<std::size_t>(got) - 1));
-  return true;
-}
-
-void keep_cmd_vel(int line, const std::string& topic) {
-  join_ros("striate_keeper");
+struct ZeroPublisher {
   ::ros::NodeHandle node;
-  ::ros::Publisher cmd_vel = node.advertise<geometry_msgs::Twist>(topic, 1);
-  Word word = Word::stands;
-  bool heard = true;
-  bool silent = false;
-  while (heard && word != Word::ends) {
-    pollfd mind{line, POLLIN, 0};
-    const int patience_ms = silent ? kZeroEvery_ms : kCmdVelLease_ms;
-    if (poll(&mind, 1, patience_ms) > 0) {
-      heard = read_words(line, word);
-      silent = false;
-    } else if (word == Word::moves) {
-      silent = true;
-      cmd_vel.publish(geometry_msgs::Twist());
-    }
-  }
-  // It has died, whatever it said last: a robot that was told to stand may still obey another.
-  for (int said_ms = 0; !heard && said_ms < kLongestZeros_ms; said_ms += kZeroEvery_ms) {
-    cmd_vel.publish(geometry_msgs::Twist());
-    std::this_thread::sleep_for(std::chrono::milliseconds(kZeroEvery_ms));
-  }
-  ::ros::shutdown();
-}
+  ::ros::Publisher cmd_vel;
+};
 
-[[noreturn]] void be_the_keeper(int line, const std::string& topic) {
-  setsid();
-  prctl(PR_SET_NAME, "cmd_vel-keeper");
-  // What the program has open would stay so; and nobody is to wait for this one's output.
-  const int nothing = open("/dev/null", O_RDWR);
-  for (int stream = 0; stream < 3; ++stream) dup2(nothing, stream);
-  close_range(3, static_cast<unsigned>(line) - 1, 0);
-  close_range(static_cast<unsigned>(line) + 1, ~0U, 0);
-  try {
-    keep_cmd_vel(line, topic);
-  } catch (const std::exception&) {  // no master: the program says so itself
-  }
-  _exit(0);
+remote::KeeperVoice publisher_of_zeros(const std::string& topic) {
+  join_ros("striate_keeper");
+  auto zeros = std::make_shared<ZeroPublisher>();
+  zeros->cmd_vel = zeros->node.advertise<geometry_msgs::Twist>(topic, 1);
+  return {[zeros] { zeros->cmd_vel.publish(geometry_msgs::Twist()); },
+          [](bool /*died*/) { ::ros::shutdown(); }};
 }
 
 }  // namespace
 
-CmdVelKeeper::CmdVelKeeper(const std::string& topic) {
-  std::array<int, 2> line{-1, -1};
-  if (::ros::isInitialized()) return;
-  if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, line.data()) != 0) return;
-  // The terminal's signals are not meant for it.
-  sigset_t all;
-  sigset_t before;
-  sigfillset(&all);
-  pthread_sigmask(SIG_SETMASK, &all, &before);
-  keeper_ = fork();
-  if (keeper_ == 0) be_the_keeper(line[1], topic);
-  pthread_sigmask(SIG_SETMASK, &before, nullptr);
-  close(line[1]);
-  line_ = line[0];
-}
-
-CmdVelKeeper::~CmdVelKeeper() {
-  if (line_ < 0) return;
-  const char end = static_cast<char>(Word::ends);
-  (void)!send(line_, &end, 1, MSG_NOSIGNAL | MSG_DONTWAIT);
-  close(line_);
-  const auto latest = std::chrono::steady_clock::now() + kNodeEnds;
-  while (keeper_ > 0 && waitpid(keeper_, nullptr, WNOHANG) == 0 &&
-         std::chrono::steady_clock::now() < latest) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(5));
-  }
-}
-
-void CmdVelKeeper::hear(bool moves) noexcept {
-  if (line_ < 0) return;
-  const char word = static_cast<char>(moves ? Word::moves : Word::stands);
-  (void)!send(line_, &word, 1, MSG_NOSIGNAL | MSG_DONTWAIT);
+std::unique_ptr<remote::ZeroKeeper> make_cmd_vel_keeper(const std::string& topic) {
+  if (::ros::isInitialized()) return std::make_unique<remote::ZeroKeeper>();
+  return std::make_unique<remote::ZeroKeeper>(
+      "cmd_vel-keeper", [&topic] { return publisher_of_zeros(topic); }, kNodeEnds);
 }
 
 }  // namespace striate::ros

@@ -29,7 +29,7 @@ constexpr auto kGoodBye = std::chrono::milliseconds(100);
 }  // namespace
 
 struct RosRobot::Parts {
-  Parts(const RosSettings& given, const RobotDescription& description, CmdVelKeeper& keeper);
+  Parts(const RosSettings& given, const RobotDescription& description, remote::ZeroKeeper& keeper);
   void publish();
   /// In ROS's thread, which an error must not end.
   void publish_if_it_goes() noexcept {
@@ -51,7 +51,7 @@ struct RosRobot::Parts {
   Mailbox mail;  ///< its mutex guards the gate, too
   remote::CommandGate gate;
   MasterWatch master;
-  CmdVelKeeper& keeper;
+  remote::ZeroKeeper& keeper;
 
   ::ros::CallbackQueue queue;
   ::ros::NodeHandle node;
@@ -63,7 +63,8 @@ struct RosRobot::Parts {
   std::unique_ptr<::ros::AsyncSpinner> spinner;
 };
 
-RosRobot::Parts::Parts(const RosSettings& given, const RobotDescription& body, CmdVelKeeper& keeps)
+RosRobot::Parts::Parts(const RosSettings& given, const RobotDescription& body,
+                       remote::ZeroKeeper& keeps)
     : settings(given), description(body), mail(given), gate(given), keeper(keeps) {
   node.setCallbackQueue(&queue);
   subscribers = subscribe(node, settings, mail);
@@ -127,7 +128,7 @@ std::string RosRobot::Parts::missing() const {
 
 RosRobot::RosRobot(const RosSettings& settings, const RobotDescription& description,
                    Duration patience)
-    : keeper_(std::make_unique<CmdVelKeeper>(settings.cmd_vel)) {
+    : keeper_(make_cmd_vel_keeper(settings.cmd_vel)) {
   join_ros("striate");
   parts_ = std::make_unique<Parts>(settings, description, *keeper_);
   const TimePoint end = parts_->mail.clock.now() + patience;

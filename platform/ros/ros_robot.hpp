@@ -6,9 +6,11 @@
 #include "striate/platform/interface/robot.hpp"
 #include "striate/platform/ros/ros_settings.hpp"
 
-namespace striate::ros {
+namespace striate::remote {
+class ZeroKeeper;
+}
 
-class CmdVelKeeper;
+namespace striate::ros {
 
 /// A robot that is only reachable through ROS 1, as a body: images, odometry, laser, sonar and
 /// the head's joints come as topics, `cmd_vel` goes out.
@@ -43,7 +45,7 @@ class RosRobot final : public Robot {
 
  private:
   struct Parts;
-  std::unique_ptr<CmdVelKeeper> keeper_;  // first: it must be made before ROS is joined
+  std::unique_ptr<remote::ZeroKeeper> keeper_;  // first: it must be made before ROS is joined
   std::unique_ptr<Parts> parts_;
 };
 

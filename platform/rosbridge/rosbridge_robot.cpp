@@ -32,7 +32,7 @@ constexpr const char* kServerHint =
 
 struct RosbridgeRobot::Parts {
   Parts(const BridgeSettings& given, const BridgeAddress& address, const RobotDescription& body,
-        const MakeCamera& make_camera, TwistKeeper& keeps);
+        const MakeCamera& make_camera, remote::ZeroKeeper& keeps);
   [[nodiscard]] BridgeClient::Hears hears();
   void hear(std::string_view message);
   void publish();
@@ -50,7 +50,7 @@ struct RosbridgeRobot::Parts {
   BridgeSettings settings;
   std::string url;
   RobotDescription description;
-  TwistKeeper& keeper;
+  remote::ZeroKeeper& keeper;
   SteadyClock clock;
   TimePoint next_cycle;
   OwnCamera camera;      ///< empty: images come as topics
@@ -65,7 +65,7 @@ struct RosbridgeRobot::Parts {
 
 RosbridgeRobot::Parts::Parts(const BridgeSettings& given, const BridgeAddress& address,
                              const RobotDescription& body, const MakeCamera& make_camera,
-                             TwistKeeper& keeps)
+                             remote::ZeroKeeper& keeps)
     : settings(given),
       url(address.url),
       description(body),
@@ -180,7 +180,7 @@ void RosbridgeRobot::Parts::throw_if_lost(TimePoint now) const {
 RosbridgeRobot::RosbridgeRobot(const BridgeSettings& settings, const RobotDescription& description,
                                const MakeCamera& camera, Duration patience) {
   const BridgeAddress address = check_settings(settings);
-  keeper_ = std::make_unique<TwistKeeper>(settings);
+  keeper_ = make_twist_keeper(settings);
   parts_ = std::make_unique<Parts>(settings, address, description, camera, *keeper_);
   const TimePoint end = parts_->clock.now() + patience;
   for (std::string missing = parts_->missing(); !missing.empty(); missing = parts_->missing()) {

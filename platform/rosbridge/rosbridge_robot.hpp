@@ -7,9 +7,11 @@
 #include "striate/platform/interface/robot.hpp"
 #include "striate/platform/rosbridge/bridge_settings.hpp"
 
-namespace striate::rosbridge {
+namespace striate::remote {
+class ZeroKeeper;
+}
 
-class TwistKeeper;
+namespace striate::rosbridge {
 
 /// A stereo camera that is no topic of the robot's: one of this machine, for instance. Called in
 /// the client's thread, which it must not hold up.
@@ -54,7 +56,7 @@ class RosbridgeRobot final : public Robot {
 
  private:
   struct Parts;
-  std::unique_ptr<TwistKeeper> keeper_;  // first: it must be made before there are threads
+  std::unique_ptr<remote::ZeroKeeper> keeper_;  // first: it must be made before there are threads
   std::unique_ptr<Parts> parts_;
 };
 

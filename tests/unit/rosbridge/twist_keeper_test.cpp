@@ -29,8 +29,8 @@ BridgeSettings keeper_settings(const BridgeServer& server) {
 pid_t mind_that_hangs(const BridgeSettings& settings) {
   const pid_t mind = fork();
   if (mind != 0) return mind;
-  TwistKeeper keeper(settings);
-  keeper.hear(true);
+  const auto keeper = make_twist_keeper(settings);
+  keeper->hear(true);
   pause();
   _exit(0);
 }
@@ -51,10 +51,10 @@ TEST(TwistKeeper, SaysZeroWhenTheMindHangsAndWhenItDies) {
 TEST(TwistKeeper, SaysNothingWhileTheMindSpeaksAndAfterAnEndOnPurpose) {
   BridgeServer server;
   {
-    TwistKeeper keeper(keeper_settings(server));
+    const auto keeper = make_twist_keeper(keeper_settings(server));
     ASSERT_TRUE(within_ten_seconds([&] { return !server.heard().empty(); }));
     for (int i = 0; i < 10; ++i) {
-      keeper.hear(true);
+      keeper->hear(true);
       std::this_thread::sleep_for(50ms);
     }
   }
