@@ -137,9 +137,7 @@ class Builder {
 
   /// Start, and the goal line before the farthest place that can be reached from it.
   void find_reachable(std::optional<Pose2> asked) {
-    cv::Mat1f clearance_m;
-    cv::distanceTransform(free_, clearance_m, cv::DIST_L2, cv::DIST_MASK_PRECISE);
-    clearance_m *= cell_m_;
+    const cv::Mat1f clearance_m = clearance();
     cv::Mat1i areas;
     const cv::Mat1b passable = clearance_m > kHalfWay_m;
     const int count = cv::connectedComponents(passable, areas, 8);
@@ -160,6 +158,15 @@ class Builder {
           "from the start nothing farther along the map can be reached\n    choose "
           "another start: --at \"x, y, heading\" in the map's own frame");
     }
+  }
+
+  /// From what is not known to be free, and so from the picture's rim, too.
+  [[nodiscard]] cv::Mat1f clearance() const {
+    cv::Mat1b with_rim;
+    cv::copyMakeBorder(free_, with_rim, 1, 1, 1, 1, cv::BORDER_CONSTANT, cv::Scalar(0));
+    cv::Mat1f cells;
+    cv::distanceTransform(with_rim, cells, cv::DIST_L2, cv::DIST_MASK_PRECISE);
+    return cell_m_ * cells(cv::Rect({1, 1}, free_.size()));
   }
 
   [[nodiscard]] double turned(double heading_rad) const {

@@ -7,6 +7,8 @@
 #include "striate/base/user_error.hpp"
 #include "striate/platform/simulator/passage.hpp"
 #include "striate/platform/simulator/static_shapes.hpp"
+#include "striate/platform/simulator/world_reader.hpp"
+#include "striate/platform/simulator/world_writer.hpp"
 
 namespace striate::simulator {
 namespace {
@@ -54,6 +56,17 @@ TEST(WorldFromMap, OfOneThatIsTallerThanWideLiesDown) {
   EXPECT_NEAR(made.world.start.x_m, 4.0 + made.moved.x_m, 1e-9);
   EXPECT_NEAR(made.world.start.y_m, made.moved.y_m, 1e-9);
   EXPECT_NEAR(made.world.start.heading_rad, 0.0, 1e-9);
+}
+
+TEST(WorldFromMap, KeepsClearOfTheRimOfAMapThatHasNoWallsThere) {
+  FloorPicture open;
+  open.cell_m = 0.05;
+  open.stands = cv::Mat1b(200, 200, std::uint8_t{0});
+  open.stands(cv::Rect(90, 90, 20, 20)).setTo(255);
+  open.free = open.stands == 0;
+  config::Diagnostics diagnostics("open.yaml");
+  (void)parse_world(world_as_yaml(world_from_map(open, "open").world), diagnostics);
+  EXPECT_TRUE(diagnostics.none()) << diagnostics.text();
 }
 
 TEST(WorldFromMap, LeavesSpecksOutAndHangsLampsAboveTheFloor) {
