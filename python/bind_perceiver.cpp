@@ -105,7 +105,7 @@ Options options_of(const py::kwargs& kwargs, const char* who) {
   return take_options(given);
 }
 
-/// All options by name; tests/python/test_interface.py compares them with those of the stub.
+/// All options by name; tests/python/test_interface.py compares them with those of __init__.pyi.
 py::tuple option_names() {
   GivenOptions none(py::kwargs(), "perceive");
   (void)take_options(none);

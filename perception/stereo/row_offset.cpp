@@ -16,8 +16,8 @@ namespace {
 constexpr float kSureMatch = 0.75F;  // confidence: of such, nine in ten are right
 /// Change from row to row, of the largest grey: two levels of 255, above what noise makes
 constexpr float kLeastFall = 2.0F / 255.0F;
-/// An edge is level if the grey changes at least so many times faster from row to row than from
-/// column to column. On a steeper edge the disparity takes up the offset.
+/// On a level edge the grey changes mostly from row to row: at least this many times as much as it
+/// does from column to column. On a steeper edge the disparity takes up the offset.
 constexpr float kLevelness = 2.0F;
 constexpr int kFewestPixels =
     150;  // pixels on such edges, of which nearly half may be wrong (ours)
