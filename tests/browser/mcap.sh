@@ -2,16 +2,8 @@
 # Our MCAP files read by other people's code, and theirs by ours: mcap.sh BUILD STRIATE MCAP_LISTING
 set -euo pipefail
 [ $# -eq 3 ] || { echo "usage: mcap.sh BUILD STRIATE MCAP_LISTING" >&2; exit 2; }
-here="$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)"
-packages="$(realpath "$1")/tests/browser" striate="$(realpath "$2")" listing="$(realpath "$3")"
-command -v node >/dev/null || { echo "error: node is missing; run cmake/install_packages.sh --browser" >&2; exit 1; }
-cmp -s "$here/package-lock.json" "$packages/installed.json" || {
-  echo "error: its packages are missing; run tests/browser/install.sh $1" >&2
-  exit 1
-}
-work="$(mktemp -d)"
-trap 'rm -rf "$work"' EXIT
-cd "$here/../.."
+striate="$(realpath "$2")" listing="$(realpath "$3")"
+source "$(dirname "${BASH_SOURCE[0]}")/with_packages.sh" "$1"
 
 "$striate" run config/tasks/corridor.yaml --world config/worlds/short.yaml --seed 3 --var "way=2 m" \
   --memory "$work/new.db" --record "$work/run.rec" --mcap "$work/zstd.mcap" --quiet
